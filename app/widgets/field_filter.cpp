@@ -49,6 +49,13 @@ bool is_of_document(const QKeyEvent& key, const QLineEdit& line) {
          (key.matches(QKeySequence::Redo) && !line.isRedoAvailable());
 }
 
+// Keys that search, delete or go to an end of a list.
+bool acts_in_list(const QKeyEvent& key) {
+  const bool is_plain = !(key.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier));
+  return is_typed(key) || (is_plain && (key.key() == Qt::Key_Delete || key.key() == Qt::Key_Home ||
+                                        key.key() == Qt::Key_End));
+}
+
 // Enter commits text typed into a spin box, Escape reverts it.
 bool end_typing(QSpinBox& box, int key) {
   if (key == Qt::Key_Escape) {
@@ -134,10 +141,12 @@ bool FieldFilter::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::Enter:
       // Where one comes back to the picture with the mouse, letters are commands again; the cells
       // of a table are still typed into.
-      if (QWidget* list = QApplication::focusWidget();
-          qobject_cast<QAbstractItemView*>(list) && !qobject_cast<QTableView*>(list)) {
-        const auto* main = qobject_cast<QMainWindow*>(list->window());
-        if (main && widget == main->centralWidget()) leave_field(*list);
+      if (QWidget* focused = QApplication::focusWidget();
+          focused && !line_of(focused) && !qobject_cast<QTableView*>(focused)) {
+        const auto* main = qobject_cast<QMainWindow*>(focused->window());
+        if (main && widget == main->centralWidget() && !widget->isAncestorOf(focused)) {
+          leave_field(*focused);
+        }
       }
       break;
     case QEvent::Wheel:
@@ -157,8 +166,9 @@ bool FieldFilter::eventFilter(QObject* watched, QEvent* event) {
       }
       break;
     case QEvent::ShortcutOverride:
-      // Letters typed into a list are no commands: X would delete what is selected.
-      if (qobject_cast<QAbstractItemView*>(widget) && is_typed(*static_cast<QKeyEvent*>(event))) {
+      // Keys in a list are no commands: X would delete what is selected.
+      if (qobject_cast<QAbstractItemView*>(widget) &&
+          acts_in_list(*static_cast<QKeyEvent*>(event))) {
         event->accept();
         return true;
       }

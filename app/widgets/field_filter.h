@@ -11,8 +11,9 @@ namespace brume {
 //   scrolls what that is in;
 // - what is being typed is committed by a click anywhere else, by a shortcut, and when the window
 //   closes;
-// - letters typed into a list search its names, or open a cell, and are no shortcuts; a list of
-//   names has the focus until the mouse comes to the picture;
+// - letters typed into a list search its names, or open a cell, and are no shortcuts, nor are
+//   Delete, Home and End; all but tables and text lose the focus where the mouse comes to the
+//   picture;
 // - undo and redo are the document's, unless the text was changed since the field got the focus;
 // - the label and the values of a form's row have one tool tip, with the range of a number;
 // - after Enter, which takes it, and Escape, which does not, the view has the focus.

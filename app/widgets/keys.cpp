@@ -145,6 +145,10 @@ bool is_typed(const QKeyEvent& event) {
          !text[0].isSpace();
 }
 
+bool is_letter(const QKeyEvent& event) {
+  return is_typed(event) && event.text()[0].isLetter();
+}
+
 void remember_keys(const char* action, const QList<QKeySequence>& keys) {
   QSettings settings;
   if (keys == default_keys_of(action)) {

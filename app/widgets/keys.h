@@ -27,6 +27,8 @@ std::optional<QKeyCombination> latin_key(const QKeyEvent& event);
 bool is_key_of(const char* action, const QKeyEvent& event);
 // Whether it types a letter, digit or sign, which lists search for or edit with.
 bool is_typed(const QKeyEvent& event);
+// Whether that is a letter.
+bool is_letter(const QKeyEvent& event);
 // For this and later sessions; the default ones are no setting.
 void remember_keys(const char* action, const QList<QKeySequence>& keys);
 

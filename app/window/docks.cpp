@@ -32,9 +32,16 @@
 namespace brume {
 namespace {
 
-// The undo history; a disk icon marks the saved state.
+// The undo history. Letters do not search it: what they find would be undone or redone.
+class HistoryView : public QUndoView {
+ public:
+  using QUndoView::QUndoView;
+  void keyboardSearch(const QString& /*letters*/) override {}
+};
+
+// A disk icon marks the saved state.
 QUndoView* history_view(QUndoStack& stack) {
-  auto* view = new QUndoView(&stack);
+  auto* view = new HistoryView(&stack);
   const int size = view->fontMetrics().height();
   view->setIconSize({size, size});
   view->setUniformItemSizes(true);

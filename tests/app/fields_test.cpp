@@ -1,6 +1,7 @@
 // Fields with keyboard, mouse and wheel: what is typed is not lost, the view has the focus again,
 // and the wheel changes nothing that one scrolls past.
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
@@ -19,6 +20,7 @@
 #include "app/files/scene_files.h"
 #include "app/panels/gaussians/gaussian_panel.h"
 #include "app/panels/lists/outliner.h"
+#include "app/panels/time/dope_sheet.h"
 #include "app/tools/paintbrush_tool.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
@@ -474,6 +476,54 @@ class FieldsTest : public QObject {
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_X);
     QCOMPARE(document.medium().size(), 2u);
     document.undo_stack().undo();
+  }
+
+  void no_list_of_the_window_lets_keys_through_to_the_selection() {
+    TestWindow window;
+    Document& document = window->document();
+    document.select({1, 2, 3});
+    drag_title(*window, "density", 40);  // so that the history has a step to go back to
+    const Scene before = document.scene();
+    const QAbstractItemView* table = window->findChild<GaussianPanel*>()->table();
+    int count = 0;
+    for (auto* list : window->findChildren<QAbstractItemView*>()) {
+      const bool is_shown_alone = list->window() != &*window;  // of a box to choose from
+      if (is_shown_alone || list->focusPolicy() == Qt::NoFocus) continue;
+      ++count;
+      show(*list);
+      list->setFocus();
+      for (char letter = 'a'; letter <= 'z'; ++letter) {
+        QTest::keyClick(list, letter);
+        QTest::keyClick(list, letter, Qt::ShiftModifier);
+        if (QWidget* editor = QApplication::focusWidget(); editor != list) {
+          QTest::keyClick(editor, Qt::Key_Escape);
+          list->setFocus();
+        }
+      }
+      if (list != table) {  // whose rows are the selection
+        for (const Qt::Key key : {Qt::Key_Delete, Qt::Key_Home, Qt::Key_End}) {
+          QTest::keyClick(list, key);
+        }
+      }
+      QVERIFY2(document.scene() == before, list->metaObject()->className());
+      QCOMPARE(document.selection(), (std::vector<GaussianId>{1, 2, 3}));
+      QVERIFY(document.hidden().empty() && document.locked().empty());
+      QCOMPARE(step_count(document), 1);
+    }
+    QVERIFY2(count >= 4, qPrintable(QString::number(count)));
+    QTest::keyClick(window->findChild<GaussianPanel*>()->table(), Qt::Key_Delete);
+    QCOMPARE(document.medium().size(), 2u);
+    document.undo_stack().undo();
+    // The dope sheet has no names: keys that it lacks do nothing.
+    auto* sheet = window->findChild<DopeSheet*>();
+    show(*sheet);
+    sheet->setFocus();
+    QTest::keyClicks(sheet, "xhkgbe");
+    QTest::keyClick(sheet, Qt::Key_Delete);
+    QVERIFY(document.scene() == before);
+    QVERIFY(document.hidden().empty() && document.locked().empty());
+    const ToolBox& tools = window->tools();
+    QCOMPARE(tools.entries()[tools.active()].name, "select");
   }
 
   void a_title_of_the_panel_gaussians_is_dragged() {

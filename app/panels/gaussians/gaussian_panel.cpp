@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "app/commands/edit_groups.h"
+#include "app/commands/edit_medium.h"
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
 #include "app/panels/gaussians/filter_bar.h"
@@ -249,11 +250,19 @@ void GaussianPanel::group_shown() {
 
 bool GaussianPanel::eventFilter(QObject* watched, QEvent* event) {
   const bool is_shortcut = event->type() == QEvent::ShortcutOverride;
-  if ((is_shortcut || event->type() == QEvent::KeyPress) &&
-      is_key_of("select.all", static_cast<QKeyEvent&>(*event))) {
-    event->accept();
-    if (!is_shortcut) select_gaussians(document_, shown());
-    return true;
+  if (is_shortcut || event->type() == QEvent::KeyPress) {
+    const auto& key = static_cast<QKeyEvent&>(*event);
+    const bool selects_all = is_key_of("select.all", key);
+    if (selects_all || (is_key_of("edit.delete", key) && !is_typed(key))) {
+      event->accept();
+      if (is_shortcut) return true;
+      if (selects_all) {
+        select_gaussians(document_, shown());
+      } else {
+        delete_selection(document_, tr("Delete"));
+      }
+      return true;
+    }
   }
   return QWidget::eventFilter(watched, event);
 }

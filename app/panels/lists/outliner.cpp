@@ -9,6 +9,7 @@
 
 #include "app/commands/edit_environment.h"
 #include "app/commands/edit_groups.h"
+#include "app/commands/edit_medium.h"
 #include "app/commands/edit_objects.h"
 #include "app/commands/edit_splines.h"
 #include "app/document/document.h"
@@ -278,6 +279,9 @@ bool Outliner::event(QEvent* event) {
 void Outliner::keyPressEvent(QKeyEvent* event) {
   if (is_typed(*event)) return QTreeWidget::keyPressEvent(event);  // which searches names
   const std::optional<ObjectRef> object = object_of(currentItem());
+  if (currentItem() == gaussians_ && is_key_of("edit.delete", *event)) {
+    return delete_selection(document_, tr("Delete"));
+  }
   if (object && is_key_of("edit.delete", *event)) return delete_object(document_, *object);
   if (object && is_key_of("edit.duplicate", *event)) return duplicate_object(document_, *object);
   if (const auto group = group_of(currentItem())) {

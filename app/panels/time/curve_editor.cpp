@@ -386,11 +386,11 @@ void CurveEditor::delete_selected() {
   delete_keys(document_, keys);
 }
 
-// Delete, Home and Ctrl+A are shortcuts of the window too.
+// Letters, Delete, Home and Ctrl+A are shortcuts of the window too.
 bool CurveEditor::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<QKeyEvent*>(event);
-    if ((is_key_of("edit.delete", *key) && !selection_.empty()) ||
+    if (is_letter(*key) || is_key_of("edit.delete", *key) ||
         (key->key() == Qt::Key_Home && key->modifiers() == Qt::NoModifier) ||
         key->matches(QKeySequence::SelectAll)) {
       event->accept();

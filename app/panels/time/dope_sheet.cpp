@@ -444,11 +444,15 @@ bool DopeSheet::acts_on(const QKeyEvent& key) const {
          (key.key() == Qt::Key_Home && key.modifiers() == Qt::NoModifier);
 }
 
-// These keys are shortcuts of the window too, for Gaussians.
+// These keys are shortcuts of the window too, for Gaussians; so are letters, and Delete where no
+// key is selected.
 bool DopeSheet::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride && acts_on(*static_cast<const QKeyEvent*>(event))) {
-    event->accept();
-    return true;
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto& key = *static_cast<const QKeyEvent*>(event);
+    if (acts_on(key) || is_letter(key) || is_key_of("edit.delete", key)) {
+      event->accept();
+      return true;
+    }
   }
   return QWidget::event(event);
 }
