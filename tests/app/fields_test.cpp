@@ -9,6 +9,7 @@
 #include <QScrollBar>
 #include <QSlider>
 #include <QSpinBox>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QTableView>
 #include <QToolBar>
@@ -490,7 +491,13 @@ class FieldsTest : public QObject {
       const bool is_shown_alone = list->window() != &*window;  // of a box to choose from
       if (is_shown_alone || list->focusPolicy() == Qt::NoFocus) continue;
       ++count;
-      show(*list);
+      for (QWidget* above = list; above != &*window; above = above->parentWidget()) {
+        auto* pages = qobject_cast<QStackedWidget*>(above->parentWidget());
+        pages ? pages->setCurrentWidget(above) : above->show();
+        if (qobject_cast<QDockWidget*>(above)) above->raise();
+      }
+      QVERIFY2(QTest::qWaitFor([list] { return list->isVisible(); }),
+               qPrintable(list->objectName() + list->parentWidget()->objectName()));
       list->setFocus();
       for (char letter = 'a'; letter <= 'z'; ++letter) {
         QTest::keyClick(list, letter);
