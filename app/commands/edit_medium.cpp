@@ -40,6 +40,17 @@ void add_gaussians(Document& document, std::span<const Gaussian> gaussians, cons
        QString("%1 %2").arg(verb, gaussians_text(added.size())));
 }
 
+void replace_gaussians(Document& document, std::span<const GaussianId> removed,
+                       std::span<const Gaussian> added, const QString& text) {
+  if (!has_room(document, added.size(), removed.size())) return;
+  std::vector<Gaussian> allowed;
+  for (const Gaussian& gaussian : added) allowed.push_back(within_domains(gaussian));
+  MediumEdit edit = MediumEdit::remove(document.medium(), removed);
+  edit.merge(MediumEdit::add(document.medium(), allowed));
+  document.undo_stack().push(
+      new MediumCommand(document, std::move(edit), text, no_merge, AfterAdding::add_to_selection));
+}
+
 void delete_selection(Document& document, const QString& verb) {
   const std::size_t count = document.selection().size();
   push(document, MediumEdit::remove(document.medium(), document.selection()),

@@ -16,8 +16,9 @@ MediumCommand::MediumCommand(Document& document, MediumEdit edit, const QString&
 void MediumCommand::apply() {
   if (changes_ids()) selection_before_ = document_.selection();
   document_.apply(edit_);
-  if (after_adding_ == AfterAdding::select && !edit_.added().empty()) {
+  if (after_adding_ != AfterAdding::keep_selection && !edit_.added().empty()) {
     std::vector<GaussianId> ids;
+    if (after_adding_ == AfterAdding::add_to_selection) ids = document_.selection();
     for (const MediumEdit::Entry& entry : edit_.added()) ids.push_back(entry.id);
     document_.select(std::move(ids));
   }

@@ -6,8 +6,8 @@
 
 namespace brume {
 
-// Whether added Gaussians (pasted, restored by undo) become the selection.
-enum class AfterAdding { select, keep_selection };
+// Whether added Gaussians (pasted, restored by undo) become the selection, or a part of it.
+enum class AfterAdding { select, add_to_selection, keep_selection };
 
 // A medium edit as a command. Empty edits, and gestures that return to the start, leave no step.
 class MediumCommand : public SceneCommand {

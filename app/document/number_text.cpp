@@ -60,6 +60,15 @@ QString duration_text(double milliseconds) {
   return fixed_text(milliseconds, milliseconds < 99.95 ? 1 : 0) + " ms";
 }
 
+QString estimated_time_text(double seconds) {
+  constexpr double max_seconds = 99.5;
+  if (seconds < max_seconds) return fixed_text(std::max(1.0, seconds), 0) + " s";
+  const double minutes = std::round(seconds / 60.0);
+  if (minutes < max_seconds) return fixed_text(minutes, 0) + " min";
+  const double hours = std::floor(minutes / 60.0);
+  return QString("%1 h %2 min").arg(fixed_text(hours, 0), fixed_text(minutes - 60.0 * hours, 0));
+}
+
 QString percent_text(double share) {
   if (share > 0.0 && share < min_shown_share) return "< 0.01 %";
   return number_text(100.0 * share, 2) + " %";

@@ -387,6 +387,17 @@ std::optional<Fit> fit_gaussians(const DensityGrid& grid, const FitOptions& opti
   return fitting.result();
 }
 
+std::optional<Fit> fit_preview(const DensityGrid& grid, const FitOptions& options,
+                               const std::stop_token& stop) {
+  constexpr int steps = 3;
+  const std::function<void(double)> no_progress;
+  Fitting fitting(grid, options.shape, stop, no_progress);
+  fitting.begin(split_into_gaussians(grid, options.count, options.shape, stop));
+  if (!fitting.descend(steps, options.max_error, 0.0, 1.0)) return std::nullopt;
+  fitting.scale_integral();
+  return fitting.result();
+}
+
 std::optional<Refit> refit_gaussians(const DensityGrid& grid, std::span<const Gaussian> start,
                                      const std::stop_token& stop,
                                      const std::function<void(double)>& progress) {

@@ -7,6 +7,8 @@
 
 namespace brume {
 
+inline constexpr std::size_t max_voxels_per_gaussian = 1024;
+
 // The grid at a resolution that suffices for `count` Gaussians: the time of a fit follows the
 // voxels, and where each Gaussian has thousands of them, fewer tell as much. nullopt: the grid
 // itself.

@@ -12,8 +12,13 @@
 namespace brume {
 namespace {
 
-// The fit needs about 6 kB of memory per block.
-constexpr std::size_t max_blocks = 200'000;
+// A preview is fitted in a moment.
+constexpr std::size_t max_preview_blocks = 250;
+constexpr std::size_t max_preview_count = 500;
+
+std::size_t max_blocks(const VolumeFit& how) {
+  return how.is_preview ? max_preview_blocks : max_fitted_blocks;
+}
 
 // The rotation from the volume's axes to ours.
 glm::dquat turn(const VolumeFit& how) {
@@ -32,13 +37,13 @@ DensityGrid prepared(DensityGrid grid, double scale, const VolumeFit& how) {
 
 DensityGrid read_density(const std::filesystem::path& file, const VolumeFit& how) {
   if (how.grid == no_grid) return {};
-  return prepared(at_most(read_volume(file, how.grid), max_blocks), how.density_scale, how);
+  return prepared(at_most(read_volume(file, how.grid), max_blocks(how)), how.density_scale, how);
 }
 
 VolumeOptics read_optics(const std::filesystem::path& file, const VolumeFit& how) {
   const AppearanceOptions& appearance = how.appearance;
   VolumeOptics optics =
-      read_volume_optics(file, appearance.grids, appearance.temperature_scale, max_blocks);
+      read_volume_optics(file, appearance.grids, appearance.temperature_scale, max_blocks(how));
   for (std::optional<FieldGrid>* field : {&optics.color, &optics.emission, &optics.temperature}) {
     if (*field) rotate(**field, turn(how));
   }
@@ -96,7 +101,8 @@ std::optional<FittedVolume> VolumeFitter::next(const std::filesystem::path& file
   const double share = flame_share(fitted.grid, flame);
   FitOptions smoke_options = how_.options;
   FitOptions flame_options = how_.options;
-  flame_options.count = flame_count(how_.options.count, share);
+  if (how_.is_preview) smoke_options.count = std::min(smoke_options.count, max_preview_count);
+  flame_options.count = flame_count(smoke_options.count, share);
   smoke_options.count -= flame_options.count;
   const auto progress_in = [&](double begin, double end) {
     return [&progress, begin, end](double p) {
@@ -104,16 +110,23 @@ std::optional<FittedVolume> VolumeFitter::next(const std::filesystem::path& file
     };
   };
 
-  auto smoke = smoke_.next(fitted.grid, smoke_options, velocity, seconds, counter_, stop,
-                           progress_in(0.0, 1.0 - share));
+  const auto fit = [&](SequenceFitter& fitter, const DensityGrid& grid, const FitOptions& options,
+                       const std::function<void(double)>& progressed) {
+    if (!how_.is_preview) {
+      return fitter.next(grid, options, velocity, seconds, counter_, stop, progressed);
+    }
+    auto preview = fit_preview(grid, options, stop);
+    return preview ? std::optional(SequenceFitter::Next{std::move(*preview)}) : std::nullopt;
+  };
+
+  auto smoke = fit(smoke_, fitted.grid, smoke_options, progress_in(0.0, 1.0 - share));
   if (!smoke) return std::nullopt;
   fitted.fit = std::move(smoke->fit);
   fitted.renewed = smoke->renewed;
   fitted.errors = fit_optics(
       fitted.grid, smoke_targets(fitted.grid, how_.density_scale, optics, how_.appearance),
       fitted.fit.gaussians);
-  auto flames = flames_.next(flame, flame_options, velocity, seconds, counter_, stop,
-                             progress_in(1.0 - share, 1.0));
+  auto flames = fit(flames_, flame, flame_options, progress_in(1.0 - share, 1.0));
   if (!flames) return std::nullopt;
   if (!flames->fit.gaussians.empty()) {
     fitted.flames = std::move(flames->fit);

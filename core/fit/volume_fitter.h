@@ -49,6 +49,8 @@ struct VolumeFit {
   bool z_up = false;                              // rotates z to y
   double frames_per_second = default_frame_rate;  // for sequences with velocities
   AppearanceOptions appearance;
+  // For a first look at one file: few Gaussians at a low resolution, in a few steps.
+  bool is_preview = false;
 };
 
 struct FittedVolume {
@@ -61,6 +63,9 @@ struct FittedVolume {
   // Those of the density, then those of the flames.
   [[nodiscard]] std::vector<Gaussian> gaussians() const;
 };
+
+// The fit needs about 6 kB of memory per block.
+inline constexpr std::size_t max_fitted_blocks = 200'000;
 
 // Fits one OpenVDB file, or those of a sequence in order, each starting from the previous frame's
 // advected Gaussians. Grids of more than 200,000 blocks are downsampled by two until they fit.

@@ -1,11 +1,14 @@
 // Imports from files.
 
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QTreeWidget>
 #include <fstream>
 
+#include "app/commands/edit_medium.h"
 #include "app/document/timeline.h"
 #include "app/files/scene_files.h"
 #include "app/import/folder_dialog.h"
@@ -200,15 +203,25 @@ class ImportTest : public QObject {
     drop(desk, {smoke});
     auto* dialog = shown<VolumeDialog>(desk);
     QVERIFY(dialog);
-    QCOMPARE(dialog->findChild<QComboBox*>("volume_grid")->currentText(), "density");
+    auto* grids = dialog->findChild<QTreeWidget*>("volume_grid");
+    QCOMPARE(grids->currentItem()->text(0), "density");
+    QCOMPARE(grids->currentItem()->text(2), "2 × 2 × 2.08");
+    QCOMPARE(grids->topLevelItemCount(), 5);
+    QTRY_COMPARE(grids->currentItem()->text(3), "0.00105 to 0.998");
+    auto* cost = dialog->findChild<QLabel*>("volume_cost");
+    QVERIFY2(cost->text().contains(" s and "), qPrintable(cost->text()));
+    dialog->findChild<QSpinBox*>("volume_count")->setValue(1'000'000);
+    QVERIFY2(cost->text().contains(" min and "), qPrintable(cost->text()));
     dialog->findChild<QSpinBox*>("volume_count")->setValue(8);
     dialog->findChild<QComboBox*>("volume_up")->setCurrentIndex(1);
+    dialog->findChild<QComboBox*>("volume_shape")->setCurrentIndex(1);
     dialog->findChild<QLineEdit*>("volume_scale")->setText("2.5");
     click(*dialog, "import_volume");
     QCOMPARE(wait(desk), "");
     QCOMPARE(last_step(document), "Import 8 Gaussians");
     VolumeFit how;
     how.options.count = 8;
+    how.options.shape = FitShape::ball;
     how.z_up = true;
     how.density_scale = 2.5;
     const auto fitted = fit_volume(smoke, how, {});
@@ -276,6 +289,55 @@ class ImportTest : public QObject {
     for (const Gaussian& g : frames.frame(0)->gaussians) {
       QVERIFY(std::abs(g.optics.albedo->g - 0.5) < 1e-4);
     }
+  }
+
+  void a_preview_of_a_volume_is_refined_in_its_place() {
+    FileDesk desk;
+    Document& document = desk.document();
+    VolumeFit how;
+    how.options.count = 600;
+    how.options.max_error = 0.5;
+    desk.import().import_volume(smoke, how);
+    QTRY_VERIFY(document.medium().size() > 5);
+    QVERIFY(desk.job().is_running());
+    QCOMPARE(last_step(document), "Import 500 Gaussians");
+    QCOMPARE(wait(desk), "");
+    QCOMPARE(step_count(document), 1);  // with fewer, whose error is allowed
+    QCOMPARE(last_step(document), QString("Import %1 Gaussians").arg(document.medium().size() - 5));
+    QVERIFY(document.medium().size() < 500);
+    document.undo_stack().undo();
+    QCOMPARE(document.medium().size(), 5u);
+
+    // Edits made meanwhile stay.
+    desk.import().import_volume(smoke, how);
+    QTRY_VERIFY(document.medium().size() > 5);
+    document.select({1});
+    delete_selection(document, "Delete");
+    QCOMPARE(wait(desk), "");
+    QCOMPARE(last_step(document), "Refine 500 Gaussians");
+    QVERIFY(document.medium().size() < 500);
+    QVERIFY(!document.medium().index_of(1));
+
+    // A preview that was undone does not come back.
+    document.undo_stack().setIndex(0);
+    desk.import().import_volume(smoke, how);
+    QTRY_VERIFY(document.medium().size() > 5);
+    document.undo_stack().undo();
+    QCOMPARE(wait(desk), "");
+    QCOMPARE(document.medium().size(), 5u);
+  }
+
+  void a_cancelled_fit_leaves_its_preview() {
+    FileDesk desk;
+    VolumeFit how;
+    how.options.count = 2000;
+    desk.import().import_volume(smoke, how);
+    QTRY_VERIFY(desk.document().medium().size() > 5);
+    QVERIFY(desk.job().is_running());
+    desk.job().cancel();
+    QTRY_VERIFY(!desk.job().is_running());
+    QCOMPARE(last_step(desk.document()), "Import 500 Gaussians");
+    QCOMPARE(desk.document().medium().size(), 505u);
   }
 
   void fitting_can_be_cancelled() {

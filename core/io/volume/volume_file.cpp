@@ -1,5 +1,6 @@
 #include "core/io/volume/volume_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -20,6 +21,7 @@ using Path = std::filesystem::path;
 // The box around active voxels, and how many they are.
 struct Extent {
   std::uint64_t voxels = 0;
+  std::uint64_t blocks = 0;
   glm::ivec3 min_corner{std::numeric_limits<int>::max()};
   glm::ivec3 max_corner{std::numeric_limits<int>::min()};
 
@@ -33,10 +35,12 @@ Extent extent_of(ByteReader reader, const VdbValues& values) {
   Extent extent;
   const auto tile = [&](const VdbTile& t) {
     extent.voxels += static_cast<std::uint64_t>(std::pow(t.side, 3.0));
+    extent.blocks += static_cast<std::uint64_t>(std::pow(t.side / DensityGrid::side, 3.0));
     extent.add(t.corner, t.corner + (t.side - 1));
   };
   const auto leaf = [&](const VdbLeaf& l) {
     extent.voxels += l.active();
+    extent.blocks += l.active() > 0 ? 1 : 0;
     for (std::size_t i = 0; i < VdbLeaf::size; ++i) {
       const auto n = static_cast<int>(i);
       const glm::ivec3 voxel = l.corner + glm::ivec3(n / 64, n / 8 % 8, n % 8);
@@ -45,6 +49,28 @@ Extent extent_of(ByteReader reader, const VdbValues& values) {
   };
   read_vdb_topology(reader, values, {tile, leaf});
   return extent;
+}
+
+std::optional<ValueRange> value_range(ByteReader reader, const VdbValues& values) {
+  std::optional<ValueRange> range;
+  const auto add = [&range](double value) {
+    if (!range) range = {value, value};
+    range->min_value = std::min(range->min_value, value);
+    range->max_value = std::max(range->max_value, value);
+  };
+  std::vector<VdbLeaf> leaves;
+  const auto tile = [&](const VdbTile& t) {
+    add(values.components == 1 ? t.value.x : glm::length(t.value));
+  };
+  read_vdb_topology(reader, values, {tile, [&](const VdbLeaf& l) { leaves.push_back(l); }});
+  read_vdb_leaves(reader, values, leaves, [&](const VdbLeaf&, std::span<const double> numbers) {
+    for (std::size_t i = 0; i < numbers.size(); i += values.components) {
+      add(values.components == 1
+              ? numbers[i]
+              : glm::length(glm::dvec3(numbers[i], numbers[i + 1], numbers[i + 2])));
+    }
+  });
+  return range;
 }
 
 }  // namespace
@@ -94,6 +120,17 @@ std::optional<VelocityGrid> read_velocity(const Path& path) {
   return std::nullopt;
 }
 
+std::vector<std::optional<ValueRange>> value_ranges(const Path& path, const std::stop_token& stop) {
+  const std::string bytes = read_bytes(path);
+  std::vector<std::optional<ValueRange>> result;
+  for (const VdbGrid& grid : read_vdb_grids(path, bytes)) {
+    if (stop.stop_requested()) return {};
+    result.push_back(grid.values ? value_range(vdb_tree(path, bytes, grid), *grid.values)
+                                 : std::nullopt);
+  }
+  return result;
+}
+
 std::vector<VolumeGridInfo> volume_grids(const Path& path) {
   const std::string bytes = read_bytes(path);
   std::vector<VolumeGridInfo> result;
@@ -107,6 +144,7 @@ std::vector<VolumeGridInfo> volume_grids(const Path& path) {
     if (!grid.values) continue;
     const Extent extent = extent_of(vdb_tree(path, bytes, grid), *grid.values);
     info.voxels = extent.voxels;
+    info.blocks = extent.blocks;
     if (info.voxels == 0) continue;
     info.min_corner = glm::dvec3(std::numeric_limits<double>::infinity());
     info.max_corner = -info.min_corner;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct VolumeGridInfo {
   std::string name;
   std::string type;          // OpenVDB's type name
   std::uint64_t voxels = 0;  // active ones
+  std::uint64_t blocks = 0;  // of 8 x 8 x 8 voxels, that have active ones
   glm::dvec3 voxel_size{0.0};
   // World bounds of the active voxels.
   glm::dvec3 min_corner{0.0};
@@ -39,6 +41,16 @@ struct VolumeGridInfo {
 };
 // Lists the grids of a file. Throws InputError.
 std::vector<VolumeGridInfo> volume_grids(const std::filesystem::path& file);
+
+// The values of a grid's active voxels, of several components their lengths.
+struct ValueRange {
+  double min_value = 0.0;
+  double max_value = 0.0;
+};
+// The ranges of all grids of a file, in the order of volume_grids(); nullopt without values. Throws
+// InputError.
+std::vector<std::optional<ValueRange>> value_ranges(const std::filesystem::path& file,
+                                                    const std::stop_token& stop = {});
 
 // Writes fog volumes, sparse: the grid `density`, and the grids `albedo` and `emission` of three
 // components where there are any; densities and albedos in half precision (11 bits) if asked for.

@@ -11,6 +11,7 @@
 
 #include "brume/fit.h"
 #include "core/fit/optics_fit.h"
+#include "core/fit/volume_survey.h"
 #include "core/scene/lights/photometry.h"
 #include "core/volume/medium_grid.h"
 #include "tests/core/fit/matter.h"
@@ -285,6 +286,37 @@ TEST(OpticsFit, OneColourStaysThatColour) {
   fit = *fit_gaussians(grids.density, {10, 0.0});
   fit_optics(grids.density, {}, fit.gaussians);
   for (const Gaussian& g : fit.gaussians) EXPECT_EQ(g.optics, GaussianOptics());
+}
+
+TEST_F(VolumeFitterTest, PreviewIsAlreadyLikeTheVolume) {
+  how_.options.count = 100'000;
+  how_.is_preview = true;
+  const FittedVolume preview = fitted({ball("density", 0.0)}, how_);
+  EXPECT_LE(preview.gaussians().size(), 500u);
+  EXPECT_LT(preview.fit.density_error, 0.2);
+}
+
+TEST(VolumeSurvey, GuessesTheUpAxis) {
+  const auto is_z_up = [](const glm::dvec3& extent) {
+    VolumeGridInfo grid;
+    grid.max_corner = extent;
+    return is_probably_z_up(grid);
+  };
+  EXPECT_TRUE(is_z_up({1.0, 1.1, 3.0}));   // a plume
+  EXPECT_TRUE(is_z_up({9.0, 8.0, 2.0}));   // a cloud
+  EXPECT_FALSE(is_z_up({1.0, 3.0, 1.1}));  // the same
+  EXPECT_FALSE(is_z_up({9.0, 2.0, 8.0}));
+  EXPECT_FALSE(is_z_up({2.0, 2.0, 2.05}));
+}
+
+TEST(VolumeSurvey, CostGrowsWithVoxelsAndGaussians) {
+  const auto seconds = [](std::uint64_t blocks, std::size_t count, unsigned threads = 2) {
+    return estimate_fit_cost(blocks, {.count = count}, threads).seconds;
+  };
+  EXPECT_LT(seconds(100, 500), seconds(1000, 500));
+  EXPECT_LT(seconds(1000, 500), seconds(1000, 5000));
+  EXPECT_LT(seconds(1000, 500, 8), seconds(1000, 500));
+  EXPECT_GT(estimate_fit_cost(200'000, {}, 2).bytes, 1e9);
 }
 
 }  // namespace

@@ -64,7 +64,18 @@ TEST_F(VolumeFile, ReadsSmokeOfASimulation) {
   const DensityGrid grid = read_volume(volumes / "smoke_0025.vdb", "density");
   EXPECT_NEAR(grid.spacing.x, 1.0 / 12.0, 1e-6);
   EXPECT_NEAR(grid.integral() / (935.5 / 1728.0), 1.0, 1e-3);
-  EXPECT_EQ(volume_grids(volumes / "smoke_0025.vdb").size(), 5u);
+  const std::vector<VolumeGridInfo> grids = volume_grids(volumes / "smoke_0025.vdb");
+  ASSERT_EQ(grids.size(), 5u);
+  EXPECT_GE(512 * grids[1].blocks, grids[1].voxels);
+  const auto ranges = value_ranges(volumes / "smoke_0025.vdb");
+  ASSERT_EQ(ranges.size(), 5u);
+  float max_value = 0.0f;
+  for (const auto& block : grid.blocks) {
+    for (const float value : block.values) max_value = std::max(max_value, value);
+  }
+  EXPECT_EQ(static_cast<float>(ranges[1]->max_value), max_value);
+  EXPECT_GE(ranges[0]->min_value, 0.0);  // lengths of velocities
+  EXPECT_FALSE(ranges[4]);               // no flames
 }
 
 // At the voxels' points, or each component in the middle of its face.
