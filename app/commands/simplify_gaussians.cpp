@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <iterator>
 
-#include "app/commands/medium_command.h"
-#include "app/commands/merge_id.h"
+#include "app/commands/edit_medium.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
-#include "core/authoring/simplify.h"
 
 namespace brume {
 
@@ -22,6 +20,17 @@ std::vector<GaussianId> to_simplify(const Document& document) {
   return ids;
 }
 
+Medium chosen_gaussians(const Medium& medium, std::span<const GaussianId> ids) {
+  Medium chosen;
+  chosen.reserve(ids.size());
+  for (const GaussianId id : ids) chosen.append(medium.gaussian(*medium.index_of(id)));
+  return chosen;
+}
+
+SimplifyLimits limits_of(const SimplifyNumbers& numbers) {
+  return {.max_error = 0.01 * numbers.max_error, .ellipsoids = numbers.ellipsoids};
+}
+
 void apply_simplified(Document& document, std::span<const GaussianId> ids,
                       const Simplified& simplified) {
   std::vector<GaussianId> removed;
@@ -30,11 +39,8 @@ void apply_simplified(Document& document, std::span<const GaussianId> ids,
       removed.push_back(ids[i]);
     }
   }
-  MediumEdit edit = MediumEdit::remove(document.medium(), removed);
-  edit.merge(MediumEdit::add(document.medium(), simplified.merged));
-  document.undo_stack().push(
-      new MediumCommand(document, std::move(edit),
-                        undo_text("Simplify %1").arg(gaussians_text(ids.size())), no_merge));
+  replace_gaussians(document, removed, simplified.merged,
+                    undo_text("Simplify %1").arg(gaussians_text(ids.size())));
 }
 
 }  // namespace brume

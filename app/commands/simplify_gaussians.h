@@ -3,15 +3,20 @@
 #include <span>
 #include <vector>
 
-#include "brume/gaussian.h"
+#include "app/commands/operation_numbers.h"
+#include "brume/medium.h"
+#include "core/authoring/simplify.h"
 
 namespace brume {
 
 class Document;
-struct Simplified;
 
 // The selected Gaussians, or all that are neither hidden nor locked.
 std::vector<GaussianId> to_simplify(const Document& document);
+
+Medium chosen_gaussians(const Medium& medium, std::span<const GaussianId> ids);
+
+SimplifyLimits limits_of(const SimplifyNumbers& numbers);
 
 // Replaces these Gaussians by simplify()'s, as one undo step.
 void apply_simplified(Document& document, std::span<const GaussianId> ids,

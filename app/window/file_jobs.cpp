@@ -63,13 +63,6 @@ QString simplify_text(const char* source) {
   return QCoreApplication::translate("Simplify", source);
 }
 
-Medium chosen_gaussians(const Medium& medium, const std::vector<GaussianId>& ids) {
-  Medium chosen;
-  chosen.reserve(ids.size());
-  for (const GaussianId id : ids) chosen.append(medium.gaussian(*medium.index_of(id)));
-  return chosen;
-}
-
 // Background work that simplifies Gaussians chosen from the document, and hands the result to
 // `done`. `show_status` is called with how many Gaussians became how many, and the error. Nothing
 // is merged if the fog is edited meanwhile.
@@ -95,10 +88,6 @@ BackgroundJob::Work simplifying(Document& document, const std::shared_ptr<const 
       }
     };
   };
-}
-
-SimplifyLimits limits_of(const SimplifyNumbers& numbers) {
-  return {.max_error = 0.01 * numbers.max_error, .ellipsoids = numbers.ellipsoids};
 }
 
 }  // namespace

@@ -68,9 +68,18 @@ class SimplifyTest : public QObject {
     select_gaussians(window.document(), {ids.begin(), ids.begin() + 100});
     SimplifyDialog& dialog = window.show();
     QCOMPARE(dialog.findChild<QLabel*>("simplify_count")->text(), "Merges 100 Gaussians, selected");
-    dialog.reject();
-    window.simplify("20");
+    // What is left is said before.
+    const auto* result = dialog.findChild<QLabel*>("simplify_result");
+    QTRY_VERIFY2(result->text().startsWith("Leaves ") || result->text().startsWith("None "),
+                 qPrintable(result->text()));
+    enter(window, "simplify_error", "20");
+    QTRY_VERIFY(result->text().startsWith("Leaves "));
+    const QString said = result->text();
+    brume::click(dialog, "simplify_now");
     QTRY_COMPARE(last_step(window.document()), "Simplify 100 Gaussians");
+    const std::size_t left = window.document().medium().size() - 201;
+    QVERIFY2(said.contains(QString(" %1 Gaussians").arg(left)), qPrintable(said));
+    QCOMPARE(window.document().selection().size(), left);  // all of them, those unchanged too
     for (std::size_t i = 100; i < 301; ++i) {
       QVERIFY(window.document().medium().index_of(crowded_scene().medium.ids()[i]));
     }

@@ -3,6 +3,7 @@
 #include <QDialog>
 
 #include "app/commands/operation_numbers.h"
+#include "app/jobs/background_job.h"
 
 class QLabel;
 
@@ -10,8 +11,8 @@ namespace brume {
 
 class Document;
 
-// Asks within which error to merge the selected Gaussians, or all, and whether to ellipsoids; not
-// modal.
+// Asks within which error to merge the selected Gaussians, or all, and whether to ellipsoids, and
+// says how many will be left; not modal.
 class SimplifyDialog : public QDialog {
   Q_OBJECT
  public:
@@ -22,10 +23,13 @@ class SimplifyDialog : public QDialog {
 
  private:
   void show_count();
+  void try_out();
 
   const Document& document_;
   SimplifyNumbers numbers_;
   QLabel* count_;
+  QLabel* result_;
+  BackgroundJob trial_{BackgroundJob::Policy::latest_wins};
 };
 
 }  // namespace brume
