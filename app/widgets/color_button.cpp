@@ -5,11 +5,13 @@
 #include <QLabel>
 #include <QPainter>
 #include <algorithm>
+#include <array>
 
 #include "app/widgets/interface_settings.h"
 #include "app/widgets/value_field.h"
 #include "core/math/srgb.h"
 #include "core/number_domain.h"
+#include "core/scene/lights/photometry.h"
 
 namespace brume {
 namespace {
@@ -60,10 +62,41 @@ void ColorButton::open_dialog() {
   const MergeId gesture = new_merge_id();
   connect(dialog, &QColorDialog::currentColorChanged, this,
           [this, gesture](const QColor& color) { Q_EMIT edited(to_linear(color), gesture); });
+  add_temperatures(*dialog);
   if (InterfaceSettings::instance().color_numbers() == InterfaceSettings::ColorNumbers::linear) {
     add_linear_fields(*dialog, gesture);
   }
   dialog->show();
+}
+
+void ColorButton::add_temperatures(QColorDialog& dialog) {
+  struct Source {
+    int temperature;  // [K]
+    const char* name;
+  };
+  constexpr auto sources = std::to_array<Source>({{1000, QT_TR_NOOP("embers")},
+                                                  {1850, QT_TR_NOOP("a candle")},
+                                                  {2700, QT_TR_NOOP("a bulb")},
+                                                  {3200, QT_TR_NOOP("a halogen light")},
+                                                  {4300, QT_TR_NOOP("moonlight")},
+                                                  {5600, QT_TR_NOOP("daylight")},
+                                                  {6500, QT_TR_NOOP("an overcast sky")},
+                                                  {10'000, QT_TR_NOOP("a blue sky")}});
+  auto* row = new QHBoxLayout;
+  row->addWidget(new QLabel(tr("Temperature")));
+  for (const auto& [temperature, name] : sources) {
+    auto* swatch = new QToolButton(&dialog);
+    swatch->setObjectName(QString("color_%1_K").arg(temperature));
+    swatch->setToolTip(tr("%1 K: %2").arg(temperature).arg(tr(name)));
+    const QColor color = to_color(black_body_color(temperature));
+    swatch->setIcon(color_swatch(to_linear(color), iconSize()));
+    swatch->setIconSize(iconSize());
+    row->addWidget(swatch);
+    connect(swatch, &QToolButton::clicked, &dialog,
+            [&dialog, color] { dialog.setCurrentColor(color); });
+  }
+  row->addStretch();
+  dialog.layout()->addItem(row);
 }
 
 void ColorButton::add_linear_fields(QColorDialog& dialog, MergeId gesture) {

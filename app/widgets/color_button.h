@@ -18,7 +18,8 @@ glm::dvec3 to_linear(const QColor& color);
 QPixmap color_swatch(const glm::dvec3& linear, const QSize& size = {12, 12});
 
 // A colour swatch, linear RGB in [0, 1], with the colour's numbers as its tool tip; opens a
-// modeless colour dialog, which has fields of linear numbers if those were chosen.
+// modeless colour dialog, which has swatches of colour temperatures, and fields of linear numbers
+// if those were chosen.
 class ColorButton : public QToolButton {
   Q_OBJECT
  public:
@@ -31,6 +32,7 @@ class ColorButton : public QToolButton {
 
  private:
   void open_dialog();
+  void add_temperatures(QColorDialog& dialog);
   void add_linear_fields(QColorDialog& dialog, MergeId gesture);
 
   glm::dvec3 color_{1.0};

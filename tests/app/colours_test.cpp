@@ -39,8 +39,17 @@ class ColoursTest : public QObject {
     QVERIFY(dialog);
     dialog->setCurrentColor(QColor(0, 255, 0));
     dialog->setCurrentColor(QColor(255, 0, 0));
-    dialog->close();
     QCOMPARE(*optics(2).albedo, glm::dvec3(1.0, 1e-6, 1e-6));
+    // Its extinction stays.
+    const auto extinction = [](const Medium& medium, const glm::dvec3& color) {
+      return medium.densities()[2] / luminance(color);
+    };
+    const double thickness = extinction(before.medium, before.optics.albedo);
+    QVERIFY(std::abs(extinction(document.medium(), *optics(2).albedo) / thickness - 1.0) < 1e-9);
+    click(*dialog, "color_1850_K");
+    const glm::dvec3 candle = black_body_color(1850.0);
+    QVERIFY(glm::length(*optics(2).albedo - glm::clamp(candle, 1e-6, 1.0)) < 0.01);
+    dialog->close();
     QCOMPARE(step_count(document), 2);
     enter(desk, "gaussian_emission", "5");
     QCOMPARE(optics(0).emission, glm::dvec3(5.0));
