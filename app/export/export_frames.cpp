@@ -12,17 +12,19 @@ namespace {
 // The first failure, and how many others there are.
 std::string summary(const FrameLoop::Result& result) {
   const auto& [frame, why] = result.failed.front();
+  const std::size_t complete = result.made.size() + result.skipped.size();
   const QString first =
       QCoreApplication::translate("export", "Frame %1: %2").arg(frame).arg(why.c_str());
   const QString rest = QCoreApplication::translate("export", "(%1 of %2 frames are written)")
-                           .arg(result.made.size())
-                           .arg(result.made.size() + result.failed.size());
+                           .arg(complete)
+                           .arg(complete + result.failed.size());
   return (first + " " + rest).toStdString();
 }
 
 }  // namespace
 
-void export_frames(int first, int last, const Job& job, const ExportFrame& make) {
+void export_frames(int first, int last, const Job& job, const ExportFrame& make,
+                   const std::set<int>& complete) {
   std::vector<int> frames(static_cast<std::size_t>(last - first + 1));
   std::iota(frames.begin(), frames.end(), first);
   const int count = last - first + 1;
@@ -31,6 +33,7 @@ void export_frames(int first, int last, const Job& job, const ExportFrame& make)
     if (job.stop.stop_requested()) throw Cancelled();
     return make(frame, frame - first, count);
   };
+  steps.skips = [&](int frame) { return complete.contains(frame); };
   steps.failed = [&](int frame, const std::string& why) {
     if (frame == first) throw std::runtime_error(why);
   };

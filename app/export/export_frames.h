@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 
 #include "core/io/frame_loop.h"
 #include "render/util/job.h"
@@ -9,10 +10,12 @@ namespace brume {
 
 struct Cancelled {};
 
-// Exports the frames from first to last, the k-th of `count`. What fails in one leaves the others
+// Exports the frames from first to last but those that are complete, the k-th of `count`. What
+// fails in one leaves the others
 // alone, unless it is the first: then all would fail. Throws Cancelled, and at the end a
 // runtime_error that says which frames failed and why.
 using ExportFrame = std::function<FrameLoop::Write(int frame, int k, int count)>;
-void export_frames(int first, int last, const Job& job, const ExportFrame& make);
+void export_frames(int first, int last, const Job& job, const ExportFrame& make,
+                   const std::set<int>& complete = {});
 
 }  // namespace brume

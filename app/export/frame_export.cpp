@@ -17,10 +17,11 @@ namespace {
 // The work of one export, in its thread. Every function throws InputError, and Cancelled.
 class Exporter {
  public:
-  // Hands on each frame when it is done with it.
+  // Hands on each frame when it is done with it, and the number of each that is written.
   using Deliver = std::function<void(ExportedFrame)>;
-  Exporter(const FrameExportRequest& request, const Job& job, int& written, Deliver deliver)
-      : request_(request), job_(job), written_(written), deliver_(std::move(deliver)) {}
+  using Written = std::function<void(std::optional<int> number)>;
+  Exporter(const FrameExportRequest& request, const Job& job, Written written, Deliver deliver)
+      : request_(request), job_(job), written_(std::move(written)), deliver_(std::move(deliver)) {}
 
   void run() {
     if (!request_.range) {
@@ -29,11 +30,13 @@ class Exporter {
       write_video();
     } else {
       export_frames(
-          request_.range->first, request_.range->last, job_, [this](int number, int k, int count) {
+          request_.range->first, request_.range->last, job_,
+          [this](int number, int k, int count) {
             const std::filesystem::path file =
                 request_.file.empty() ? request_.file : numbered_file(request_.file, number);
             return writing(file, numbered_frame(number, k, count), number);
-          });
+          },
+          request_.complete);
     }
   }
 
@@ -70,12 +73,12 @@ class Exporter {
     info.frame = number;
     if (is_deep_file(file)) {
       if (!renderer_.write_deep(file, *request_.scene, frame, info, job_.stop)) throw Cancelled();
-      return [this] { ++written_; };
+      return [this, number] { written_(number); };
     }
     const auto content = std::make_shared<const Frame>(std::move(frame));
     return [this, file, info, content] {
       write_frame(file, *content, info);
-      ++written_;
+      written_(info.frame);
     };
   }
 
@@ -93,12 +96,12 @@ class Exporter {
       video.finish(job_.stop);
       if (job_.stop.stop_requested()) throw Cancelled();
     });
-    ++written_;
+    written_({});
   }
 
   const FrameExportRequest& request_;
   const Job& job_;
-  int& written_;
+  Written written_;
   Deliver deliver_;
   SceneRenderer renderer_;
 };
@@ -113,10 +116,14 @@ FrameExport::FrameExport(QObject* parent) : QObject(parent) {
 void FrameExport::start(const FrameExportRequest& request) {
   const auto work = [this, request](const Job& job) {
     written_ = 0;
+    const auto written = [this, &job](std::optional<int> number) {
+      ++written_;
+      if (number) job_.deliver(job, [this, frame = *number] { Q_EMIT this->written(frame); });
+    };
     const auto deliver = [this, &job](ExportedFrame frame) {
       job_.deliver(job, [this, frame = std::move(frame)] { Q_EMIT rendered(frame); });
     };
-    Exporter(request, job, written_, deliver).run();
+    Exporter(request, job, written, deliver).run();
     return [this, file = to_qstring(request.file)] { Q_EMIT finished(file); };
   };
   job_.start(work, request.file.empty()

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "app/files/numbered_file.h"
 #include "app/jobs/background_job.h"
@@ -26,6 +27,7 @@ struct FrameExportRequest {
     double frames_per_second = default_frame_rate;
   };
   std::optional<Range> range;  // nullopt: one frame
+  std::set<int> complete{};    // frames of the range whose files are written
   QString title{};             // of its pictures
 };
 
@@ -49,6 +51,7 @@ class FrameExport : public QObject {
   void finished(const QString& file);
   // Each frame, also one that is not written.
   void rendered(const brume::ExportedFrame& frame);
+  void written(int frame);      // of a range, to its file
   void cancelled(int written);  // number of written files
   void failed(const QString& message);
 

@@ -8,6 +8,7 @@
 #include <QTreeWidget>
 #include <QUrl>
 
+#include "app/document/number_text.h"
 #include "app/document/paths.h"
 #include "app/export/render_queue.h"
 #include "app/widgets/plain_text.h"
@@ -21,11 +22,14 @@ using State = RenderQueue::State;
 constexpr int id_role = Qt::UserRole;
 constexpr int state_column = 1;
 
-QString state_text(const RenderQueue::Item& item) {
+QString state_text(const RenderQueue& queue, const RenderQueue::Item& item) {
   switch (item.state) {
     case State::waiting:
       return QueueList::tr("waiting");
     case State::rendering:
+      if (const auto seconds = queue.seconds_left(item); seconds && item.request.range) {
+        return QueueList::tr("%1 %, %2 left").arg(item.percent).arg(estimated_time_text(*seconds));
+      }
       return QString("%1 %").arg(item.percent);
     case State::done:
       return QueueList::tr("done");
@@ -50,6 +54,9 @@ QString row_title(const RenderQueue::Item& item) {
 QString tool_tip(const RenderQueue::Item& item) {
   QString text = row_title(item);
   if (!item.request.file.empty()) text += '\n' + to_qstring(item.request.file);
+  if (item.rendered > 0) {
+    text += QueueList::tr("\n%1 per frame").arg(duration_text(item.milliseconds / item.rendered));
+  }
   if (!item.message.isEmpty()) text += '\n' + item.message;
   return plain_tool_tip(text);
 }
@@ -68,7 +75,7 @@ QueueList::QueueList(RenderQueue& queue, QWidget* parent)
       tr("Renders go on while you edit, each of the scene as it was when it was added"));
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(6, 0, 6, 6);
-  layout->addWidget(list_, 0, 0, 1, 5);
+  layout->addWidget(list_, 0, 0, 1, 7);
   empty_ =
       new PlainLabel(tr("Nothing to render. F12 renders what the scene's camera sees, Ctrl+F12 "
                         "the animation; both go on while you edit."),
@@ -93,10 +100,15 @@ QueueList::QueueList(RenderQueue& queue, QWidget* parent)
                 [this] { open_folder(); });
   cancel_ = add(tr("Cancel"), "queue_cancel", tr("Ends it; complete pictures stay"),
                 [this] { queue_.cancel(current()); });
-  repeat_ = add(tr("Again"), "queue_repeat", tr("Renders the same scene once more"),
-                [this] { queue_.repeat(current()); });
+  resume_ = add(tr("Resume"), "queue_resume",
+                tr("Renders, of the same scene, what failed or was not rendered yet"),
+                [this] { queue_.resume(current()); });
   remove_ = add(tr("Remove"), "queue_remove", tr("Takes it off the list; its files stay"),
                 [this] { queue_.remove(current()); });
+  sooner_ = add("↑", "queue_sooner", tr("Renders it before the one above"),
+                [this] { queue_.move(current(), true); });
+  later_ = add("↓", "queue_later", tr("Renders it after the one below"),
+               [this] { queue_.move(current(), false); });
   connect(&queue_, &RenderQueue::changed, this, &QueueList::rebuild);
   connect(&queue_, &RenderQueue::progressed, this, &QueueList::show_progress);
   connect(list_, &QTreeWidget::currentItemChanged, this, &QueueList::update_buttons);
@@ -121,9 +133,9 @@ void QueueList::rebuild() {
     list_->addTopLevelItem(row);
     auto* bar = new QProgressBar(list_);
     bar->setValue(item.percent);
-    bar->setFormat(state_text(item));
+    bar->setFormat(state_text(queue_, item));
     bar->setToolTip(tool_tip(item));
-    bar->setFixedWidth(96);
+    bar->setFixedWidth(130);
     list_->setItemWidget(row, state_column, bar);
     if (item.id == chosen || chosen == 0) list_->setCurrentItem(row);
   }
@@ -132,17 +144,27 @@ void QueueList::rebuild() {
   }
   list_->resizeColumnToContents(state_column);
   empty_->setVisible(queue_.items().empty());
+  show_time_left();
   update_buttons();
 }
 
+void QueueList::show_time_left() {
+  const auto seconds = queue_.seconds_left();
+  list_->headerItem()->setText(
+      0, seconds ? tr("Render queue, %1 left").arg(estimated_time_text(*seconds))
+                 : tr("Render queue"));
+}
+
 void QueueList::show_progress(int id, int percent) {
+  show_time_left();
   const RenderQueue::Item* item = queue_.find(id);
   for (int k = 0; item && k < list_->topLevelItemCount(); ++k) {
     QTreeWidgetItem* row = list_->topLevelItem(k);
     if (row->data(0, id_role).toInt() != id) continue;
     auto* bar = qobject_cast<QProgressBar*>(list_->itemWidget(row, state_column));
     bar->setValue(percent);
-    bar->setFormat(state_text(*item));
+    bar->setFormat(state_text(queue_, *item));
+    row->setToolTip(0, tool_tip(*item));
   }
 }
 
@@ -152,7 +174,8 @@ void QueueList::update_buttons() {
   show_->setEnabled(is(State::done) || is(State::rendering) || is(State::cancelled));
   folder_->setEnabled(item && !item->request.file.empty());
   cancel_->setEnabled(is(State::waiting) || is(State::rendering));
-  repeat_->setEnabled(is(State::failed) || is(State::cancelled));
+  for (QPushButton* button : {sooner_, later_}) button->setEnabled(is(State::waiting));
+  resume_->setEnabled(is(State::failed) || is(State::cancelled));
   remove_->setEnabled(item);
 }
 

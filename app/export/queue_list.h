@@ -21,6 +21,7 @@ class QueueList : public QWidget {
 
  private:
   void rebuild();
+  void show_time_left();
   void show_progress(int id, int percent);
   void update_buttons();
   void open_folder();
@@ -32,7 +33,9 @@ class QueueList : public QWidget {
   QPushButton* show_;
   QPushButton* folder_;
   QPushButton* cancel_;
-  QPushButton* repeat_;
+  QPushButton* resume_;
+  QPushButton* sooner_;
+  QPushButton* later_;
   QPushButton* remove_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QString>
+#include <optional>
 #include <vector>
 
 #include "app/export/frame_export.h"
@@ -21,8 +22,14 @@ class RenderQueue : public QObject {
     FrameExportRequest request;
     State state = State::waiting;
     int percent = 0;
-    QString message;  // why it failed
+    QString message;            // why it failed
+    double milliseconds = 0.0;  // of its frames so far
+    int rendered = 0;           // how many they are
   };
+  // The time that an item needs, where frames of it or of another one tell; for all that are
+  // unfinished together.
+  [[nodiscard]] std::optional<double> seconds_left(const Item& item) const;
+  [[nodiscard]] std::optional<double> seconds_left() const;
   [[nodiscard]] const std::vector<Item>& items() const { return items_; }  // in order
   [[nodiscard]] const Item* find(int id) const;
   [[nodiscard]] int unfinished() const;  // how many wait or are rendered
@@ -30,7 +37,10 @@ class RenderQueue : public QObject {
   int add(FrameExportRequest request);  // its id
   void cancel(int id);                  // what waits, at once
   void remove(int id);                  // cancels it first
-  void repeat(int id);                  // what failed or was cancelled, of the same scene
+  // What failed or was cancelled, of the same scene: of a range, the frames that lack.
+  void resume(int id);
+  // Moves one that waits before the one that waits before it, or after the next.
+  void move(int id, bool sooner);
 
   // The exporter renders, and tells of single frames.
   [[nodiscard]] FrameExport& exporter() { return export_; }
@@ -42,6 +52,7 @@ class RenderQueue : public QObject {
 
  private:
   [[nodiscard]] Item* item(int id);
+  [[nodiscard]] Item* waiting_beside(int id, bool sooner);
   void start_next();
   void end(State state, const QString& message = {});
 

@@ -334,10 +334,57 @@ class OutputTest : public QObject {
              qPrintable(renders.find(third)->message));
     QVERIFY(!fs::exists(window.file("next.png")));
     list->setCurrentItem(list->topLevelItem(0));
-    click(window, "queue_repeat");
+    click(window, "queue_resume");
     QVERIFY(QTest::qWaitFor([&] { return renders.find(second)->state == State::done; }, patience));
     QCOMPARE(QImage(to_qstring(window.file("next.png"))).size(), QSize(32, 24));
     QCOMPARE(list->topLevelItemCount(), 2);
+  }
+
+  void failed_frames_are_rendered_again_and_only_these() {
+    TestWindow window(tiny_scene());
+    RenderQueue& renders = queue(window);
+    FrameExportRequest request;
+    request.scene = std::make_shared<const Scene>(tiny_scene());
+    request.file = window.file("f.png");
+    request.range = {1, 4, 30.0};
+    fs::create_directory(window.file("f_0003.png"));  // which cannot be replaced by a file
+    const int id = renders.add(request);
+    QVERIFY(wait_for(renders, RenderQueue::State::failed));
+    QVERIFY2(renders.find(id)->message.contains("3 of 4"), qPrintable(renders.find(id)->message));
+    QCOMPARE(renders.find(id)->request.complete, (std::set{1, 2, 4}));
+    fs::remove(window.file("f_0003.png"));
+    fs::remove(window.file("f_0002.png"));
+    click(window, "queue_resume");
+    QVERIFY(wait_for(renders, RenderQueue::State::done));
+    QCOMPARE(renders.find(id)->rendered, 1);
+    QVERIFY(fs::is_regular_file(window.file("f_0003.png")));
+    QVERIFY(!fs::exists(window.file("f_0002.png")));
+  }
+
+  void waiting_renders_change_places() {
+    TestWindow window(tiny_scene());
+    RenderQueue& renders = queue(window);
+    FrameExportRequest request;
+    request.scene = std::make_shared<const Scene>(small_scene());
+    trace_paths(request.request, 100'000, Denoising::none);  // never done
+    const int first = renders.add(request);
+    const int second = renders.add(request);
+    const int third = renders.add(request);
+    const auto order = [&] {
+      std::vector<int> ids;
+      for (const RenderQueue::Item& item : renders.items()) ids.push_back(item.id);
+      return ids;
+    };
+    auto* list = window->findChild<QTreeWidget*>("render_queue");
+    list->setCurrentItem(list->topLevelItem(2));
+    click(window, "queue_sooner");
+    QCOMPARE(order(), (std::vector{first, third, second}));
+    click(window, "queue_sooner");  // the one above is rendered
+    QCOMPARE(order(), (std::vector{first, third, second}));
+    click(window, "queue_later");
+    QCOMPARE(order(), (std::vector{first, second, third}));
+    for (const int id : order()) renders.remove(id);
+    QVERIFY(QTest::qWaitFor([&] { return renders.items().empty(); }, patience));
   }
 
   void a_region_is_rendered_alone() {
