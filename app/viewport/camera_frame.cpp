@@ -11,6 +11,10 @@ namespace {
 
 constexpr double min_drag = 4.0;  // pixels: less is a click, which marks nothing
 
+// Sides of the safe areas over those of the picture.
+constexpr double action_safe = 0.9;
+constexpr double title_safe = 0.8;
+
 QRectF unit_square() {
   return {0.0, 0.0, 1.0, 1.0};
 }
@@ -30,6 +34,11 @@ void CameraFrame::show_frame(const std::optional<QRectF>& frame, const QString& 
   if (!frame_) end_marking();
   setGeometry(parentWidget()->rect());
   setVisible(frame_.has_value());
+  update();
+}
+
+void CameraFrame::set_guides(const Guides& guides) {
+  guides_ = guides;
   update();
 }
 
@@ -105,6 +114,22 @@ bool CameraFrame::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
+void CameraFrame::paint_guides(QPainter& painter) const {
+  painter.setPen(QPen(QColor(235, 238, 242, 110), 1.0));
+  if (guides_.thirds) {
+    for (const double third : {1.0 / 3.0, 2.0 / 3.0}) {
+      const QPointF place = on_pane({third, third, 0.0, 0.0}).topLeft();
+      painter.drawLine(QPointF(place.x(), frame_->top()), QPointF(place.x(), frame_->bottom()));
+      painter.drawLine(QPointF(frame_->left(), place.y()), QPointF(frame_->right(), place.y()));
+    }
+  }
+  if (!guides_.safe_areas) return;
+  for (const double side : {action_safe, title_safe}) {
+    const double margin = 0.5 * (1.0 - side);
+    painter.drawRect(on_pane({margin, margin, side, side}));
+  }
+}
+
 void CameraFrame::paintEvent(QPaintEvent* /*event*/) {
   if (!frame_) return;
   QPainter painter(this);
@@ -116,6 +141,7 @@ void CameraFrame::paintEvent(QPaintEvent* /*event*/) {
   painter.setPen(QPen(QColor(235, 238, 242, 200), 1.0));
   painter.drawRect(*frame_);
   painter.drawText(QPointF(frame_->left() + 2.0, std::max(frame_->top() - 5.0, 12.0)), title_);
+  paint_guides(painter);
   const std::optional<QRectF> region = start_ ? std::optional(marked()) : region_;
   if (region) {
     painter.setPen(QPen(QColor(255, 170, 60), 1.5, Qt::DashLine));

@@ -4,6 +4,8 @@
 #include <QWidget>
 #include <optional>
 
+class QPainter;
+
 namespace brume {
 
 // The frame of the scene's camera over a view: outside it the picture is dark. A part of it can be
@@ -15,6 +17,15 @@ class CameraFrame : public QWidget {
 
   // The frame in the pane, with a title; nullopt: none.
   void show_frame(const std::optional<QRectF>& frame, const QString& title);
+
+  // Lines to compose by.
+  struct Guides {
+    bool thirds = false;
+    bool safe_areas = false;  // of action and of titles
+    bool operator==(const Guides&) const = default;
+  };
+  [[nodiscard]] const Guides& guides() const { return guides_; }
+  void set_guides(const Guides& guides);
 
   // The marked part, in fractions of the frame from its upper left corner; nullopt: none.
   [[nodiscard]] const std::optional<QRectF>& region() const { return region_; }
@@ -36,11 +47,13 @@ class CameraFrame : public QWidget {
 
  private:
   void end_marking();
+  void paint_guides(QPainter& painter) const;
   [[nodiscard]] QRectF marked() const;  // by the drag, in fractions of the frame
   [[nodiscard]] QRectF on_pane(const QRectF& region) const;
 
   std::optional<QRectF> frame_;
   QString title_;
+  Guides guides_;
   std::optional<QRectF> region_;
   bool marks_ = false;
   std::optional<QPointF> start_;  // of the drag

@@ -129,7 +129,31 @@ void FrameOutput::create_camera_actions() {
   frame->setChecked(QSettings().value(frame_key, true).toBool());
   camera.set_frame_shown(frame->isChecked());
   camera_actions_ = {frame, lock};
+  create_guide_actions();
   new CameraLock(work_.document, work_.views.perspective());
+}
+
+void FrameOutput::create_guide_actions() {
+  CameraFrame& frame = work_.views.perspective().camera_frame();
+  const auto add = [&](const QString& text, const char* name, const QString& tip,
+                       bool CameraFrame::Guides::*guide) {
+    QAction* action = make_action(text, name, tip);
+    action->setCheckable(true);
+    connect(action, &QAction::toggled, this, [&frame, guide, key = QString(name)](bool on) {
+      CameraFrame::Guides guides = frame.guides();
+      guides.*guide = on;
+      frame.set_guides(guides);
+      QSettings().setValue(key, on);
+    });
+    action->setChecked(QSettings().value(name, false).toBool());
+    guide_actions_ << action;
+  };
+  add(tr("&Thirds"), "view.thirds",
+      tr("Lines at the thirds of the camera's picture, while you look through it"),
+      &CameraFrame::Guides::thirds);
+  add(tr("&Safe Areas"), "view.safe_areas",
+      tr("The parts of the camera's picture where action (90%) and titles (80%) stay visible"),
+      &CameraFrame::Guides::safe_areas);
 }
 
 QTabWidget* FrameOutput::make_tabs() {

@@ -37,6 +37,8 @@ class FrameOutput : public QObject {
   void fill_menu(QMenu& menu);
   // Check boxes of what the view shows of the camera.
   [[nodiscard]] const QList<QAction*>& camera_actions() const { return camera_actions_; }
+  // Lines over the camera's picture.
+  [[nodiscard]] const QList<QAction*>& guide_actions() const { return guide_actions_; }
   [[nodiscard]] RenderQueue& queue() { return *queue_; }
 
   // Asks for a file, and exports to it.
@@ -55,6 +57,7 @@ class FrameOutput : public QObject {
   [[nodiscard]] QAction* make_action(const QString& text, const char* name, const QString& tip);
   void create_actions();
   void create_camera_actions();
+  void create_guide_actions();
   [[nodiscard]] QTabWidget* make_tabs();
   [[nodiscard]] FrameExportRequest view_request(const std::filesystem::path& file) const;
   [[nodiscard]] FrameExportRequest output_request(bool animation) const;
@@ -77,6 +80,7 @@ class FrameOutput : public QObject {
   QDockWidget* viewer_dock_ = nullptr;
   QList<QAction*> actions_;  // in the order of the menu Render
   QList<QAction*> camera_actions_;
+  QList<QAction*> guide_actions_;
   int shown_render_ = 0;  // id in the queue, whose pictures the viewer shows
   // Files of output that may be replaced: of one picture, or of an animation.
   std::set<std::pair<std::filesystem::path, bool>> rendered_files_;

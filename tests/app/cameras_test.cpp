@@ -296,6 +296,49 @@ class CamerasTest : public QObject {
     QVERIFY(view.camera() != window.scene().camera);
   }
 
+  void guides_are_drawn_in_the_frame_of_the_camera() {
+    TestWindow window(tiny_scene());
+    window.key(Qt::Key_0);
+    CameraFrame& frame = window->viewport().camera_frame();
+    QVERIFY(frame.isVisible());
+    const QRectF inside = *window->viewport().camera_controller().frame();
+    // What is drawn at a place on the upper third of the frame, between its thirds in x.
+    const auto is_drawn = [&](double x, double y) {
+      QImage drawn(frame.size(), QImage::Format_ARGB32);
+      drawn.fill(Qt::transparent);
+      frame.render(&drawn, {}, {}, QWidget::DrawChildren);
+      const QPoint place(qRound(inside.left() + x * inside.width()),
+                         qRound(inside.top() + y * inside.height()));
+      for (int dy = -1; dy <= 1; ++dy) {
+        if (qAlpha(drawn.pixel(place + QPoint(0, dy))) > 0) return true;
+      }
+      return false;
+    };
+    QVERIFY(!is_drawn(0.5, 1.0 / 3.0));
+    invoke(window, "view.thirds");
+    QVERIFY(is_drawn(0.5, 1.0 / 3.0));
+    QVERIFY(!is_drawn(0.5, 0.05));
+    invoke(window, "view.safe_areas");
+    QVERIFY(is_drawn(0.5, 0.05) && is_drawn(0.5, 0.1));
+    invoke(window, "view.thirds");
+    QVERIFY(!is_drawn(0.5, 1.0 / 3.0));
+    invoke(window, "view.safe_areas");
+  }
+
+  void a_lens_sets_the_field_of_view() {
+    Desk desk;
+    auto* lenses = desk.findChild<QComboBox*>("camera_lens");
+    QCOMPARE(lenses->currentIndex(), -1);
+    lenses->setFocus();
+    choose(desk, "camera_lens", 3);
+    QCOMPARE(lenses->currentText(), "50 mm, normal");
+    QVERIFY(std::abs(focal_length(desk.scene().camera.vertical_fov, desk.scene().film) - 50.0) <
+            1e-9);
+    QCOMPARE(step_count(desk.document()), 1);
+    enter(desk, "focal_length", "51");
+    QCOMPARE(lenses->currentIndex(), -1);
+  }
+
   void other_views_see_the_camera() {
     const Camera camera{{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 90.0};
     const CameraRays from_above({{0, 50, 0}, {0, 0, 0}, {0, 0, -1}, 20.0}, {400, 400});

@@ -7,6 +7,9 @@
 #include <QHBoxLayout>
 #include <QListWidget>
 #include <QPushButton>
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <string_view>
@@ -112,6 +115,7 @@ void CameraPanel::add_values(QFormLayout& form) {
     const std::string_view name = field.info.name;
     if (name == "vertical_fov") {
       add_projection(form);
+      add_lenses(form);
       add_focal_length(form);
     }
     if (name == "focus_distance") add_focus(form);
@@ -142,6 +146,39 @@ void CameraPanel::add_projection(QFormLayout& form) {
   });
   on_refresh(
       [this, projection] { projection->setCurrentIndex(document_.scene().camera.height ? 1 : 0); });
+}
+
+void CameraPanel::add_lenses(QFormLayout& form) {
+  struct Lens {
+    double focal_length;  // [mm]
+    const char* name;
+  };
+  static constexpr auto lenses = std::to_array<Lens>({{18.0, QT_TR_NOOP("18 mm, very wide")},
+                                                      {24.0, QT_TR_NOOP("24 mm, wide")},
+                                                      {35.0, QT_TR_NOOP("35 mm, reportage")},
+                                                      {50.0, QT_TR_NOOP("50 mm, normal")},
+                                                      {85.0, QT_TR_NOOP("85 mm, portrait")},
+                                                      {135.0, QT_TR_NOOP("135 mm, far")}});
+  auto* box = named(new QComboBox(this), "camera_lens",
+                    tr("Usual lenses before a sensor 36 mm wide: sets the focal length"));
+  for (const Lens& lens : lenses) box->addItem(tr(lens.name));
+  box->setPlaceholderText(tr("Another"));
+  form.addRow(tr("Lens"), box);
+  connect(box, &QComboBox::activated, this, [this](int index) {
+    Camera changed = document_.scene().camera;
+    changed.vertical_fov =
+        vertical_fov(lenses[static_cast<std::size_t>(index)].focal_length, document_.scene().film);
+    brume::set_camera(document_, changed, tr("focal length"), no_merge);
+  });
+  on_refresh([this, box] {
+    const Camera& camera = document_.scene().camera;
+    const double length = focal_length(camera.vertical_fov, document_.scene().film);
+    const auto found = std::ranges::find_if(lenses, [length](const Lens& lens) {
+      return std::abs(lens.focal_length - length) < 1e-6 * length;
+    });
+    box->setEnabled(!camera.height);
+    box->setCurrentIndex(found == lenses.end() ? -1 : static_cast<int>(found - lenses.begin()));
+  });
 }
 
 void CameraPanel::add_focal_length(QFormLayout& form) {

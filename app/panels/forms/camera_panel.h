@@ -28,6 +28,7 @@ class CameraPanel : public SceneForm {
   QWidget* new_buttons();
   void add_values(QFormLayout& form);
   void add_projection(QFormLayout& form);
+  void add_lenses(QFormLayout& form);
   void add_focal_length(QFormLayout& form);
   void add_focus(QFormLayout& form);
   void set_camera(const Camera& camera, const FieldInfo& info, MergeId gesture);

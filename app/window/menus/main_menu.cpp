@@ -269,6 +269,7 @@ void MainMenu::fill_view_menu(QMenu* menu) {
   handles->setCheckable(true);
   handles->setChecked(true);
   add_ground_grid_action(*overlays, work_.document, work_.views);
+  overlays->addActions(parts_.output.guide_actions());
   work_.views.set_header_menus(
       {.quality = quality, .color = color, .camera = camera, .overlays = overlays});
   menu->addSeparator();
