@@ -34,6 +34,15 @@ void follow_textures(Material& material, const ImportedScene& scene, const Impor
 
 }  // namespace
 
+std::vector<Gaussian> placed(std::vector<Gaussian> gaussians, const ImportPlacement& placement) {
+  for (Gaussian& gaussian : gaussians) {
+    gaussian.center = placement.position + placement.scale * gaussian.center;
+    gaussian.radius *= placement.scale;
+    gaussian.density /= placement.scale;
+  }
+  return gaussians;
+}
+
 bool has_new_camera(const Scene& scene) {
   return scene.cameras.empty() &&
          KeyedCamera{scene.camera, scene.camera_keys} == KeyedCamera{new_scene().camera, {}};

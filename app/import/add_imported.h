@@ -2,7 +2,9 @@
 
 #include <QString>
 #include <memory>
+#include <vector>
 
+#include "app/commands/operation_numbers.h"
 #include "core/scene/imported_scene.h"
 
 namespace brume {
@@ -11,6 +13,9 @@ class Document;
 
 // The surface of all nodes of a scene; its parts must not be empty.
 Surface surface_of(const std::shared_ptr<const ImportedScene>& scene);
+
+// Gaussians elsewhere and in another size, as opaque as before.
+std::vector<Gaussian> placed(std::vector<Gaussian> gaussians, const ImportPlacement& placement);
 
 // True if the camera of a scene is that of File > New, and the only one.
 bool has_new_camera(const Scene& scene);

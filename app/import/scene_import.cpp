@@ -57,16 +57,6 @@ Surface placed(Surface surface, const ImportPlacement& placement) {
   return surface;
 }
 
-// They are as opaque as before.
-std::vector<Gaussian> placed(std::vector<Gaussian> gaussians, const ImportPlacement& placement) {
-  for (Gaussian& gaussian : gaussians) {
-    gaussian.center = placement.position + placement.scale * gaussian.center;
-    gaussian.radius *= placement.scale;
-    gaussian.density /= placement.scale;
-  }
-  return gaussians;
-}
-
 // The sequence that all these files belong to, at least two; nullopt otherwise.
 std::optional<FrameRun> run_of(const std::vector<fs::path>& files) {
   std::optional<FramePattern> pattern;
@@ -376,41 +366,15 @@ void SceneImport::import_volume(const fs::path& file, const VolumeFit& how) {
     quick.is_preview = true;
     const auto first = fit_volume(file, quick, {job.stop, {}});
     if (!first) return {};
-    const auto preview = std::make_shared<Preview>(Preview{*first, {}, {}, true});
-    job_.deliver(job, [this, preview] { show(preview); });
+    const auto preview = std::make_shared<VolumePreview>(*first);
+    job_.deliver(job, [this, preview] { show_preview(document_, preview); });
     const auto gaussians = fit_volume(file, how, job);
     if (!gaussians) return {};
     return [this, preview, gaussians, text] {
       if (!text.isEmpty()) Q_EMIT warned(text);
-      refine(*preview, *gaussians);
+      refine_preview(document_, *preview, *gaussians);
     };
   });
-}
-
-// Its numbers can be adjusted while it is refined.
-void SceneImport::show(const std::shared_ptr<Preview>& preview) {
-  LastOperation& last = document_.last_operation();
-  last.perform({tr("Import"), ImportPlacement(), [this, preview](const std::any& placement) {
-                  preview->placement = std::any_cast<ImportPlacement>(placement);
-                  const std::size_t before = document_.medium().size();
-                  add_gaussians(document_, placed(preview->gaussians, preview->placement),
-                                tr("Import"));
-                  const auto added = document_.medium().ids().subspan(before);
-                  preview->ids.assign(added.begin(), added.end());
-                }});
-  connect(
-      &last, &LastOperation::changed, this, [preview] { preview->is_last_operation = false; },
-      Qt::SingleShotConnection);
-  on_change(document_, Change::scene, this, [preview] { preview->ids.clear(); });
-}
-
-void SceneImport::refine(Preview& preview, const std::vector<Gaussian>& gaussians) {
-  std::erase_if(preview.ids, [this](GaussianId id) { return !document_.medium().index_of(id); });
-  if (preview.ids.empty()) return;  // it was undone or deleted
-  preview.gaussians = gaussians;
-  if (preview.is_last_operation) return document_.last_operation().adjust(preview.placement);
-  replace_gaussians(document_, preview.ids, placed(gaussians, preview.placement),
-                    tr("Refine %1").arg(gaussians_text(preview.ids.size())));
 }
 
 void SceneImport::add_surfaces(const std::vector<Surface>& added, const QString& text) {

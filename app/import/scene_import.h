@@ -91,15 +91,6 @@ class SceneImport : public QObject {
   void add_placed(const std::vector<Gaussian>& gaussians);
   void import_each(const std::vector<std::filesystem::path>& files,
                    const std::optional<FrameRun>& run);
-  // A volume that is in the document as it was fitted first, until it is as was asked for.
-  struct Preview {
-    std::vector<Gaussian> gaussians;
-    ImportPlacement placement{};
-    std::vector<GaussianId> ids{};
-    bool is_last_operation = true;
-  };
-  void show(const std::shared_ptr<Preview>& preview);
-  void refine(Preview& preview, const std::vector<Gaussian>& gaussians);
   void add_sequence(MediumSequence sequence);
   // In the background: writes the frames of `make`, numbered as in `run`, to a folder. Nothing is
   // written if it returns fewer.

@@ -131,6 +131,8 @@ void VolumeDialog::list_grids() {
                              grid_list_->fontMetrics().height() * 3 / 2 *
                                  std::clamp(static_cast<int>(grids_.size()) + 1, 3, 8));
   grid_list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  constexpr int min_width = 440;  // with the ranges, which come later
+  grid_list_->setMinimumWidth(min_width);
 }
 
 // Reading values takes long where files are large.

@@ -139,13 +139,14 @@ void FrameOutput::create_guide_actions() {
                        bool CameraFrame::Guides::*guide) {
     QAction* action = make_action(text, name, tip);
     action->setCheckable(true);
-    connect(action, &QAction::toggled, this, [&frame, guide, key = QString(name)](bool on) {
+    const QString key = QString(name).replace('.', '/');
+    connect(action, &QAction::toggled, this, [&frame, guide, key](bool on) {
       CameraFrame::Guides guides = frame.guides();
       guides.*guide = on;
       frame.set_guides(guides);
       QSettings().setValue(key, on);
     });
-    action->setChecked(QSettings().value(name, false).toBool());
+    action->setChecked(QSettings().value(key, false).toBool());
     guide_actions_ << action;
   };
   add(tr("&Thirds"), "view.thirds",

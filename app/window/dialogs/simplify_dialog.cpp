@@ -60,7 +60,8 @@ void SimplifyDialog::try_out() {
         return [this, left, error = found->error, none = found->merged.empty()] {
           result_->setText(none ? tr("None can be merged within this error")
                                 : tr("Leaves %1, with an error of %2 %")
-                                      .arg(gaussians_text(left), number_text(100.0 * error, 3)));
+                                      .arg(left)
+                                      .arg(number_text(100.0 * error, 3)));
         };
       });
 }
