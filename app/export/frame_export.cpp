@@ -4,6 +4,7 @@
 
 #include "app/document/paths.h"
 #include "app/export/export_frames.h"
+#include "app/export/render_record.h"
 #include "app/export/video_file.h"
 #include "app/files/picture_format.h"
 #include "core/io/disk/atomic_file.h"
@@ -116,6 +117,8 @@ FrameExport::FrameExport(QObject* parent) : QObject(parent) {
 void FrameExport::start(const FrameExportRequest& request) {
   const auto work = [this, request](const Job& job) {
     written_ = 0;
+    FrameExportRequest loaded = request;
+    if (!loaded.scene) load_kept_scene(loaded);
     const auto written = [this, &job](std::optional<int> number) {
       ++written_;
       if (number) job_.deliver(job, [this, frame = *number] { Q_EMIT this->written(frame); });
@@ -123,7 +126,7 @@ void FrameExport::start(const FrameExportRequest& request) {
     const auto deliver = [this, &job](ExportedFrame frame) {
       job_.deliver(job, [this, frame = std::move(frame)] { Q_EMIT rendered(frame); });
     };
-    Exporter(request, job, written, deliver).run();
+    Exporter(loaded, job, written, deliver).run();
     return [this, file = to_qstring(request.file)] { Q_EMIT finished(file); };
   };
   job_.start(work, request.file.empty()

@@ -29,6 +29,10 @@ struct FrameExportRequest {
   std::optional<Range> range;  // nullopt: one frame
   std::set<int> complete{};    // frames of the range whose files are written
   QString title{};             // of its pictures
+  // Of a render that an earlier session left: the file of its scene, which is null, and what its
+  // pictures are shown by. Both are read when it starts.
+  std::filesystem::path kept_scene{};
+  std::optional<ColorChoice> kept_view{};
 };
 
 // A frame of an export, to be looked at.

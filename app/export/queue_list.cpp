@@ -12,6 +12,7 @@
 #include "app/document/paths.h"
 #include "app/export/render_queue.h"
 #include "app/widgets/plain_text.h"
+#include "app/widgets/question.h"
 #include "app/widgets/rows.h"
 
 namespace brume {
@@ -37,6 +38,8 @@ QString state_text(const RenderQueue& queue, const RenderQueue::Item& item) {
       return QueueList::tr("cancelled");
     case State::failed:
       return QueueList::tr("failed");
+    case State::stopped:
+      return QueueList::tr("stopped");
   }
   return {};
 }
@@ -175,7 +178,7 @@ void QueueList::update_buttons() {
   folder_->setEnabled(item && !item->request.file.empty());
   cancel_->setEnabled(is(State::waiting) || is(State::rendering));
   for (QPushButton* button : {sooner_, later_}) button->setEnabled(is(State::waiting));
-  resume_->setEnabled(is(State::failed) || is(State::cancelled));
+  resume_->setEnabled(item && item->can_resume());
   remove_->setEnabled(item);
 }
 
@@ -183,6 +186,22 @@ void QueueList::open_folder() {
   const RenderQueue::Item* item = queue_.find(current());
   if (!item || item->request.file.empty()) return;
   QDesktopServices::openUrl(QUrl::fromLocalFile(to_qstring(item->request.file.parent_path())));
+}
+
+bool may_stop(const RenderQueue& queue, QWidget* window) {
+  const int unfinished = queue.unfinished();
+  if (unfinished == 0) return true;
+  const QString text =
+      unfinished == 1
+          ? QueueList::tr(
+                "A render is not finished. Stop it? At the next start it is in the queue.")
+          : QueueList::tr(
+                "%1 renders are not finished. Stop them? At the next start they are in the "
+                "queue.")
+                .arg(unfinished);
+  return ask(window, QueueList::tr("Unfinished renders"), text,
+             {{QMessageBox::Cancel, QueueList::tr("Keep Rendering")},
+              {QMessageBox::Yes, QueueList::tr("Stop")}}) == QMessageBox::Yes;
 }
 
 }  // namespace brume

@@ -39,4 +39,7 @@ class QueueList : public QWidget {
   QPushButton* remove_;
 };
 
+// Whether the renders of a queue may be stopped; asks if any is not done.
+bool may_stop(const RenderQueue& queue, QWidget* window);
+
 }  // namespace brume

@@ -1,5 +1,6 @@
 #include "app/export/render_queue.h"
 
+#include <QDateTime>
 #include <QThread>
 #include <algorithm>
 
@@ -14,7 +15,15 @@ int render_threads() {
 
 }  // namespace
 
-RenderQueue::RenderQueue(QObject* parent) : QObject(parent), export_(this) {
+bool RenderQueue::Item::can_resume() const {
+  const bool has_ended =
+      state == State::failed || state == State::cancelled || state == State::stopped;
+  return has_ended && (request.scene || !request.kept_scene.empty());
+}
+
+RenderQueue::RenderQueue(const std::filesystem::path& folder, QObject* parent)
+    : QObject(parent), kept_(folder), export_(this) {
+  take_left();
   connect(&export_, &FrameExport::finished, this, [this] { end(State::done); });
   connect(&export_, &FrameExport::cancelled, this, [this] { end(State::cancelled); });
   connect(&export_, &FrameExport::failed, this,
@@ -27,7 +36,10 @@ RenderQueue::RenderQueue(QObject* parent) : QObject(parent), export_(this) {
     Q_EMIT rendered(running_, frame);
   });
   connect(&export_, &FrameExport::written, this, [this](int frame) {
-    if (Item* running = item(running_)) running->request.complete.insert(frame);
+    if (Item* running = item(running_)) {
+      running->request.complete.insert(frame);
+      update(*running);
+    }
   });
   connect(&export_.job(), &BackgroundJob::progressed, this, [this](int percent) {
     Item* running = item(running_);
@@ -35,6 +47,20 @@ RenderQueue::RenderQueue(QObject* parent) : QObject(parent), export_(this) {
     running->percent = percent;
     Q_EMIT progressed(running_, percent);
   });
+}
+
+void RenderQueue::take_left() {
+  for (KeptRenders::Left& left : kept_.take()) {
+    Item item{.id = ++last_id_,
+              .request = std::move(left.render.request),
+              .state = left.problem.isEmpty() ? State::stopped : State::failed,
+              .message = left.problem,
+              .kept = left.name,
+              .place = left.render.place};
+    item.request.request.threads = render_threads();
+    if (!left.problem.isEmpty()) item.request.title = tr("Render of an earlier session");
+    items_.push_back(std::move(item));
+  }
 }
 
 RenderQueue::Item* RenderQueue::item(int id) {
@@ -53,9 +79,16 @@ int RenderQueue::unfinished() const {
   }));
 }
 
+int RenderQueue::stopped() const {
+  return static_cast<int>(std::ranges::count(items_, State::stopped, &Item::state));
+}
+
 int RenderQueue::add(FrameExportRequest request) {
   request.request.threads = render_threads();
-  items_.push_back({++last_id_, std::move(request), State::waiting, 0, {}, 0.0, 0});
+  double place = static_cast<double>(QDateTime::currentMSecsSinceEpoch());
+  for (const Item& other : items_) place = std::max(place, other.place + 1.0);
+  const QString kept = kept_.keep(request, place);
+  items_.push_back({.id = ++last_id_, .request = std::move(request), .kept = kept, .place = place});
   start_next();
   Q_EMIT changed();
   return last_id_;
@@ -68,6 +101,7 @@ void RenderQueue::cancel(int id) {
     export_.job().cancel();
   } else if (known->state == State::waiting) {
     known->state = State::cancelled;
+    kept_.drop_record(known->kept);
     Q_EMIT changed();
   }
 }
@@ -78,18 +112,24 @@ void RenderQueue::remove(int id) {
     export_.job().cancel();
     return;
   }
-  std::erase_if(items_, [id](const Item& it) { return it.id == id; });
+  erase(id);
   Q_EMIT changed();
+}
+
+void RenderQueue::erase(int id) {
+  if (const Item* known = item(id)) kept_.remove(known->kept);
+  std::erase_if(items_, [id](const Item& it) { return it.id == id; });
 }
 
 void RenderQueue::resume(int id) {
   Item* known = item(id);
-  if (!known || (known->state != State::failed && known->state != State::cancelled)) return;
+  if (!known || !known->can_resume()) return;
   known->state = State::waiting;
   known->percent = 0;
   known->message.clear();
   known->milliseconds = 0.0;
   known->rendered = 0;
+  update(*known);
   start_next();
   Q_EMIT changed();
 }
@@ -115,6 +155,9 @@ void RenderQueue::move(int id, bool sooner) {
   Item* other = waiting_beside(id, sooner);
   if (!other) return;
   std::swap(*moved, *other);
+  std::swap(moved->place, other->place);
+  update(*moved);
+  update(*other);
   Q_EMIT changed();
 }
 
@@ -152,11 +195,16 @@ void RenderQueue::end(State state, const QString& message) {
   if (Item* ended = item(running_)) {
     ended->state = state;
     ended->message = message;
-    if (state == State::done) ended->percent = 100;
+    if (state == State::done) {
+      ended->percent = 100;
+      kept_.remove(ended->kept);
+    } else if (state == State::cancelled) {
+      kept_.drop_record(ended->kept);
+    }
   }
   const int id = std::exchange(running_, 0);
   if (std::exchange(removes_running_, false)) {
-    std::erase_if(items_, [id](const Item& it) { return it.id == id; });
+    erase(id);
   }
   // Once the job has told all of its end.
   QMetaObject::invokeMethod(

@@ -6,25 +6,31 @@
 #include <vector>
 
 #include "app/export/frame_export.h"
+#include "app/export/kept_renders.h"
 
 namespace brume {
 
 // Renders to files and pictures, one after the other in the background, each of the scene as it was
-// when it was added. Leaves a part of the cores to the views.
+// when it was added. Leaves a part of the cores to the views. What it does not finish, a queue of a
+// later session has from the folder, stopped.
 class RenderQueue : public QObject {
   Q_OBJECT
  public:
-  explicit RenderQueue(QObject* parent = nullptr);
+  explicit RenderQueue(const std::filesystem::path& folder, QObject* parent = nullptr);
 
-  enum class State { waiting, rendering, done, cancelled, failed };
+  enum class State { waiting, rendering, done, cancelled, failed, stopped };
   struct Item {
     int id = 0;  // > 0
     FrameExportRequest request;
     State state = State::waiting;
     int percent = 0;
-    QString message;            // why it failed
+    QString message{};          // why it failed
     double milliseconds = 0.0;  // of its frames so far
     int rendered = 0;           // how many they are
+    QString kept{};             // its name among the kept renders
+    double place = 0.0;         // among them
+    // Those that cannot be read in the folder have no scene.
+    [[nodiscard]] bool can_resume() const;
   };
   // The time that an item needs, where frames of it or of another one tell; for all that are
   // unfinished together.
@@ -33,17 +39,19 @@ class RenderQueue : public QObject {
   [[nodiscard]] const std::vector<Item>& items() const { return items_; }  // in order
   [[nodiscard]] const Item* find(int id) const;
   [[nodiscard]] int unfinished() const;  // how many wait or are rendered
+  [[nodiscard]] int stopped() const;     // how many of an earlier session
 
   int add(FrameExportRequest request);  // its id
   void cancel(int id);                  // what waits, at once
   void remove(int id);                  // cancels it first
-  // What failed or was cancelled, of the same scene: of a range, the frames that lack.
+  // What failed, was cancelled or stopped, of the same scene: of a range, the frames that lack.
   void resume(int id);
   // Moves one that waits before the one that waits before it, or after the next.
   void move(int id, bool sooner);
 
   // The exporter renders, and tells of single frames.
   [[nodiscard]] FrameExport& exporter() { return export_; }
+  [[nodiscard]] const KeptRenders& kept() const { return kept_; }
 
  Q_SIGNALS:
   void changed();
@@ -53,6 +61,9 @@ class RenderQueue : public QObject {
  private:
   [[nodiscard]] Item* item(int id);
   [[nodiscard]] Item* waiting_beside(int id, bool sooner);
+  void take_left();
+  void erase(int id);
+  void update(const Item& item) { kept_.update(item.kept, item.request, item.place); }
   void start_next();
   void end(State state, const QString& message = {});
 
@@ -60,6 +71,7 @@ class RenderQueue : public QObject {
   int last_id_ = 0;
   int running_ = 0;  // id; 0: none
   bool removes_running_ = false;
+  KeptRenders kept_;
   FrameExport export_;
 };
 

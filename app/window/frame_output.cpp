@@ -28,7 +28,6 @@
 #include "app/viewport/view_grid.h"
 #include "app/widgets/frame_text.h"
 #include "app/widgets/keys.h"
-#include "app/widgets/question.h"
 #include "app/widgets/rows.h"
 #include "app/window/camera_lock.h"
 #include "app/window/file_jobs.h"
@@ -69,7 +68,7 @@ FrameOutput::FrameOutput(const Workspace& work, FileJobs& jobs, QMainWindow& win
       work_(work),
       jobs_(jobs),
       window_(window),
-      queue_(new RenderQueue(&window)),
+      queue_(new RenderQueue(kept_renders_folder(), &window)),
       viewer_(new PictureViewer(&window)) {
   create_actions();
   create_camera_actions();
@@ -82,6 +81,7 @@ FrameOutput::FrameOutput(const Workspace& work, FileJobs& jobs, QMainWindow& win
                                    : tr("Export cancelled after %1 files").arg(written));
   });
   connect(&exporter, &FrameExport::failed, &work_.messages, &MessageBar::show_error);
+  connect(&queue_->kept(), &KeptRenders::failed, &work_.messages, &MessageBar::show_note);
 }
 
 QAction* FrameOutput::make_action(const QString& text, const char* name, const QString& tip) {
@@ -181,10 +181,12 @@ QTabWidget* FrameOutput::make_tabs() {
   tabs->addTab(scrolled_panel(output), tr("Picture"));
   tabs->addTab(scrolled_panel(cameras), tr("Camera"));
   tabs->addTab(queue, tr("Queue"));
-  connect(queue_, &RenderQueue::changed, tabs, [this, tabs] {
-    const int unfinished = queue_->unfinished();
-    tabs->setTabText(2, unfinished == 0 ? tr("Queue") : tr("Queue (%1)").arg(unfinished));
-  });
+  const auto count = [this, tabs] {
+    const int left = queue_->unfinished() + queue_->stopped();
+    tabs->setTabText(2, left == 0 ? tr("Queue") : tr("Queue (%1)").arg(left));
+  };
+  connect(queue_, &RenderQueue::changed, tabs, count);
+  count();
   return tabs;
 }
 
@@ -260,10 +262,14 @@ void FrameOutput::render(bool animation) {
   work_.show_status(tr("Rendering in the background; see the queue in the panel Output"));
 }
 
-void FrameOutput::ask_for_file() {
+void FrameOutput::show_tab(int index) {
   output_dock_->show();
   output_dock_->raise();
-  tabs_->setCurrentIndex(0);
+  tabs_->setCurrentIndex(index);
+}
+
+void FrameOutput::ask_for_file() {
+  show_tab(0);
   tabs_->findChild<QLineEdit*>("output_file")->setFocus();
   work_.show_status(tr("An animation needs a file: name it in the panel Output."));
 }
@@ -290,17 +296,6 @@ void FrameOutput::show_viewer() {
   }
   viewer_dock_->show();
   viewer_dock_->raise();
-}
-
-bool FrameOutput::may_end_renders() {
-  const int unfinished = queue_->unfinished();
-  if (unfinished == 0) return true;
-  const QString text = unfinished == 1
-                           ? tr("A render is not finished. End it?")
-                           : tr("%1 renders are not finished. End them?").arg(unfinished);
-  return ask(&window_, tr("Unfinished renders"), text,
-             {{QMessageBox::Cancel, tr("Keep Rendering")}, {QMessageBox::Yes, tr("End")}}) ==
-         QMessageBox::Yes;
 }
 
 void FrameOutput::show_render(int id) {

@@ -40,6 +40,7 @@ class FrameOutput : public QObject {
   // Lines over the camera's picture.
   [[nodiscard]] const QList<QAction*>& guide_actions() const { return guide_actions_; }
   [[nodiscard]] RenderQueue& queue() { return *queue_; }
+  void show_queue() { show_tab(2); }
 
   // Asks for a file, and exports to it.
   void export_frame();
@@ -51,8 +52,6 @@ class FrameOutput : public QObject {
   // the scene's camera sees them if it has keys, else as the view does.
   void export_animation_to(const std::filesystem::path& file, int first, int last);
 
-  [[nodiscard]] bool may_end_renders();  // asks if any is not done
-
  private:
   [[nodiscard]] QAction* make_action(const QString& text, const char* name, const QString& tip);
   void create_actions();
@@ -63,6 +62,7 @@ class FrameOutput : public QObject {
   [[nodiscard]] FrameExportRequest output_request(bool animation) const;
   void render(bool animation);
   [[nodiscard]] bool may_write(const std::filesystem::path& file, bool animation);
+  void show_tab(int index);  // of the dock Output
   void ask_for_file();
   void show_render(int id);
   void show_viewer();

@@ -16,6 +16,7 @@
 
 #include "app/document/paths.h"
 #include "app/document/timeline.h"
+#include "app/export/queue_list.h"
 #include "app/export/render_queue.h"
 #include "app/files/scene_files.h"
 #include "app/tools/tool_bars.h"
@@ -185,6 +186,13 @@ void MainWindow::offer_recovery() {
   });
   connect(autosave_, &Autosave::failed, message_bar_, &MessageBar::show_note);
   bar->offer(autosave_->recovery_files());
+  if (output_->queue().items().empty()) return;
+  const auto show_queue = [this] {
+    start_page_->close_page();
+    output_->show_queue();
+  };
+  message_bar_->show_offers(tr("Renders of an earlier session are not finished."),
+                            {{tr("Show Queue"), "show_queue", show_queue}});
 }
 
 void MainWindow::update_title() {
@@ -262,7 +270,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!output_->may_end_renders() || !files_->may_discard()) {
+  if (!may_stop(output_->queue(), this) || !files_->may_discard()) {
     event->ignore();
     return;
   }

@@ -45,6 +45,9 @@ class OutputTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  // What fails in one is no business of the next.
+  void cleanup() { fs::remove_all(kept_renders_folder()); }
+
   void the_size_of_the_picture_is_undoable() {
     Desk desk(tiny_scene());
     const auto film = [&] { return desk.scene().film; };

@@ -23,6 +23,7 @@ class StartPage : public QFrame {
             QWidget& views);
 
   void open();
+  void close_page();
 
   // Whether to show it at start when no scene is named; a setting.
   [[nodiscard]] static bool is_wanted();
@@ -38,7 +39,6 @@ class StartPage : public QFrame {
 
  private:
   void cover();
-  void close_page();
   void fill_templates();
   void fill_samples();
   void fill_recent();
