@@ -29,7 +29,7 @@ struct FrameExportRequest {
   std::optional<Range> range;  // nullopt: one frame
   std::set<int> complete{};    // frames of the range whose files are written
   QString title{};             // of its pictures
-  // Of a render that an earlier session left: the file of its scene, which is null, and what its
+  // A render that an earlier session left has the file of its scene instead, and the view that its
   // pictures are shown by. Both are read when it starts.
   std::filesystem::path kept_scene{};
   std::optional<ColorChoice> kept_view{};

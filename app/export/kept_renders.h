@@ -13,7 +13,7 @@
 
 namespace brume {
 
-// The user's, beside that of recovery.
+// The user's folder of them, beside that of recovery.
 std::filesystem::path kept_renders_folder();
 
 // Renders in a private folder, so that a later session has those that this one does not finish.
@@ -25,13 +25,13 @@ class KeptRenders : public QObject {
   explicit KeptRenders(const std::filesystem::path& folder, QObject* parent = nullptr);
   ~KeptRenders() override;  // waits until all is written
 
-  // What sessions left that run no more, in the order of their places; they belong to this session
-  // now. Sweeps the folder.
   struct Left {
     QString name;
     RenderRecord render;
     QString problem;  // why it cannot be read; empty: it can
   };
+  // Takes over what sessions left that run no more, in the order of their places, and sweeps the
+  // folder.
   std::vector<Left> take();
 
   QString keep(const FrameExportRequest& request, double place);  // its name

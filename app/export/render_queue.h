@@ -12,7 +12,7 @@ namespace brume {
 
 // Renders to files and pictures, one after the other in the background, each of the scene as it was
 // when it was added. Leaves a part of the cores to the views. What it does not finish, a queue of a
-// later session has from the folder, stopped.
+// later session takes from the folder, stopped.
 class RenderQueue : public QObject {
   Q_OBJECT
  public:
@@ -29,7 +29,7 @@ class RenderQueue : public QObject {
     int rendered = 0;           // how many they are
     QString kept{};             // its name among the kept renders
     double place = 0.0;         // among them
-    // Those that cannot be read in the folder have no scene.
+    // False also of one whose files are damaged.
     [[nodiscard]] bool can_resume() const;
   };
   // The time that an item needs, where frames of it or of another one tell; for all that are

@@ -148,7 +148,6 @@ class KeptRendersTest : public QObject {
   void waiting_renders_come_back_in_order_with_all_that_was_chosen() {
     const QTemporaryDir temporary;
     const fs::path folder = to_path(temporary.path());
-    fs::path left;
     FrameExportRequest request = tiny_request(folder / "view.exr");
     request.title = "Frame 3";
     request.request.camera = Camera{.eye = {1.0, 0.5, 5.0}};

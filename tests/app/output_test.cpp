@@ -45,7 +45,7 @@ class OutputTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  // What fails in one is no business of the next.
+  // Renders that fail in one test are not in the queue of the next.
   void cleanup() { fs::remove_all(kept_renders_folder()); }
 
   void the_size_of_the_picture_is_undoable() {
