@@ -142,7 +142,8 @@ bool FieldFilter::eventFilter(QObject* watched, QEvent* event) {
       // Where one comes back to the picture with the mouse, letters are commands again; the cells
       // of a table are still typed into.
       if (QWidget* focused = QApplication::focusWidget();
-          focused && !line_of(focused) && !qobject_cast<QTableView*>(focused)) {
+          focused && !line_of(focused) && !qobject_cast<QTableView*>(focused) &&
+          !focused->property("keeps_focus").toBool()) {
         const auto* main = qobject_cast<QMainWindow*>(focused->window());
         if (main && widget == main->centralWidget() && !widget->isAncestorOf(focused)) {
           leave_field(*focused);

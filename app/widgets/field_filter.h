@@ -12,8 +12,8 @@ namespace brume {
 // - what is being typed is committed by a click anywhere else, by a shortcut, and when the window
 //   closes;
 // - letters typed into a list search its names, or open a cell, and are no shortcuts, nor are
-//   Delete, Home and End; all but tables and text lose the focus where the mouse comes to the
-//   picture;
+//   Delete, Home and End; all but tables, text and what has the property keeps_focus lose the focus
+//   where the mouse comes to the picture;
 // - undo and redo are the document's, unless the text was changed since the field got the focus;
 // - the label and the values of a form's row have one tool tip, with the range of a number;
 // - after Enter, which takes it, and Escape, which does not, the view has the focus.

@@ -1,9 +1,11 @@
 #include "app/widgets/keys.h"
 
+#include <QAbstractItemView>
 #include <QKeyEvent>
 #include <QSettings>
 #include <array>
 #include <string_view>
+#include <utility>
 
 namespace brume {
 namespace {
@@ -91,6 +93,30 @@ QString setting_of(const char* action) {
   return QString("keys/") + action;
 }
 
+// FieldFilter keeps the key from the window's action.
+class DeleteKey : public QObject {
+ public:
+  DeleteKey(QAbstractItemView& list, std::function<void()> react)
+      : QObject(&list), react_(std::move(react)) {
+    list.installEventFilter(this);
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::KeyPress) {
+      const auto& key = static_cast<const QKeyEvent&>(*event);
+      if (is_key_of("edit.delete", key) && !is_typed(key)) {
+        react_();
+        return true;
+      }
+    }
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  std::function<void()> react_;
+};
+
 }  // namespace
 
 std::span<const KeyEntry> key_table() {
@@ -147,6 +173,10 @@ bool is_typed(const QKeyEvent& event) {
 
 bool is_letter(const QKeyEvent& event) {
   return is_typed(event) && event.text()[0].isLetter();
+}
+
+void on_delete_key(QAbstractItemView& list, std::function<void()> react) {
+  new DeleteKey(list, std::move(react));
 }
 
 void remember_keys(const char* action, const QList<QKeySequence>& keys) {

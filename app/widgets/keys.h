@@ -2,9 +2,11 @@
 
 #include <QKeySequence>
 #include <QList>
+#include <functional>
 #include <optional>
 #include <span>
 
+class QAbstractItemView;
 class QKeyEvent;
 
 namespace brume {
@@ -27,8 +29,11 @@ std::optional<QKeyCombination> latin_key(const QKeyEvent& event);
 bool is_key_of(const char* action, const QKeyEvent& event);
 // Whether it types a letter, digit or sign, which lists search for or edit with.
 bool is_typed(const QKeyEvent& event);
-// Whether that is a letter.
+// Whether it types a letter.
 bool is_letter(const QKeyEvent& event);
+// The key of "edit.delete", unless it types a letter, calls the function while a list has the
+// focus.
+void on_delete_key(QAbstractItemView& list, std::function<void()> react);
 // For this and later sessions; the default ones are no setting.
 void remember_keys(const char* action, const QList<QKeySequence>& keys);
 

@@ -2,10 +2,12 @@
 
 #include <QCoreApplication>
 #include <QDockWidget>
+#include <QKeyEvent>
 #include <QMainWindow>
 #include <QScrollArea>
 #include <QStyle>
 #include <QUndoView>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -32,11 +34,18 @@
 namespace brume {
 namespace {
 
-// The undo history. Letters do not search it: what they find would be undone or redone.
+// The undo history. Its current step is where the scene is, so that keys that search or go far
+// would undo or redo many steps; the arrows go by one.
 class HistoryView : public QUndoView {
  public:
   using QUndoView::QUndoView;
   void keyboardSearch(const QString& /*letters*/) override {}
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override {
+    constexpr std::array jumps{Qt::Key_Home, Qt::Key_End, Qt::Key_PageUp, Qt::Key_PageDown};
+    if (std::ranges::find(jumps, event->key()) == jumps.end()) QUndoView::keyPressEvent(event);
+  }
 };
 
 // A disk icon marks the saved state.

@@ -1,7 +1,6 @@
 // Fields with keyboard, mouse and wheel: what is typed is not lost, the view has the focus again,
 // and the wheel changes nothing that one scrolls past.
 
-#include <QAbstractItemView>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
@@ -9,7 +8,6 @@
 #include <QScrollBar>
 #include <QSlider>
 #include <QSpinBox>
-#include <QStackedWidget>
 #include <QStatusBar>
 #include <QTableView>
 #include <QToolBar>
@@ -21,7 +19,6 @@
 #include "app/files/scene_files.h"
 #include "app/panels/gaussians/gaussian_panel.h"
 #include "app/panels/lists/outliner.h"
-#include "app/panels/time/dope_sheet.h"
 #include "app/tools/paintbrush_tool.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
@@ -29,6 +26,7 @@
 #include "app/widgets/value_field.h"
 #include "core/io/scene/scene_file.h"
 #include "tests/app/desk.h"
+#include "tests/app/dock_of.h"
 #include "tests/app/question.h"
 #include "tests/app/test_window.h"
 
@@ -40,19 +38,8 @@ NumberField& line_of(TestWindow& window, const char* field) {
   return window->findChild<ValueField*>(field)->number();
 }
 
-// Shows the dock that a field is in.
-void show(QWidget& field) {
-  for (QWidget* above = &field; above; above = above->parentWidget()) {
-    if (auto* dock = qobject_cast<QDockWidget*>(above)) {
-      dock->show();
-      dock->raise();
-    }
-  }
-  QTRY_VERIFY(field.isVisible());
-}
-
 void type(QWidget& field, const QString& text) {
-  show(field);
+  show_dock_of(field);
   field.setFocus();
   QVERIFY(field.hasFocus());
   if (auto* box = qobject_cast<QSpinBox*>(&field)) box->selectAll();
@@ -77,7 +64,7 @@ QWidget& tool_button(TestWindow& window, const char* tool) {
 
 // The editor of a cell in the first row has the focus.
 void open_cell(QTableView& table, int column) {
-  show(table);
+  show_dock_of(table);
   table.setFocus();
   table.selectionModel()->setCurrentIndex(table.model()->index(0, column),
                                           QItemSelectionModel::NoUpdate);
@@ -139,7 +126,7 @@ class FieldsTest : public QObject {
     auto& file = *window->findChild<QLineEdit*>("output_file");
     document.select({1});
     const auto type_name = [&](const QString& name) {
-      show(tree);
+      show_dock_of(tree);
       document.set_object(ObjectRef{ObjectRef::Kind::light, 0});
       tree.rename_current();
       QTest::keyClicks(tree.findChild<QLineEdit*>("row_name"), name);
@@ -174,7 +161,7 @@ class FieldsTest : public QObject {
       type_radius("0.7" + number);
       leave();
       QCOMPARE(document.medium().radii()[0], 0.7 + 0.01 * k);
-      show(file);
+      show_dock_of(file);
       file.clear();
       type(file, number + ".png");
       leave();
@@ -190,7 +177,7 @@ class FieldsTest : public QObject {
     auto& file = *window->findChild<QLineEdit*>("output_file");
     auto& dock = *window->findChild<QDockWidget*>("output_dock");
     dock.setFloating(true);
-    show(file);
+    show_dock_of(file);
     dock.activateWindow();
     file.setFocus();
     QTRY_VERIFY(file.hasFocus());
@@ -205,7 +192,7 @@ class FieldsTest : public QObject {
     TestWindow window;
     Document& document = window->document();
     auto& tree = *window->findChild<Outliner*>();
-    show(tree);
+    show_dock_of(tree);
     document.set_object(ObjectRef{ObjectRef::Kind::light, 0});
     tree.rename_current();
     QTest::keyClicks(QApplication::focusWidget(), "Mo");
@@ -222,7 +209,7 @@ class FieldsTest : public QObject {
     auto& table = *window->findChild<GaussianPanel*>()->table();
     const auto open_field = [&](const char* name) {
       auto& field = *window->findChild<QWidget*>(name);
-      show(field);
+      show_dock_of(field);
       field.setFocus();
     };
     const std::function<void()> ways[]{
@@ -352,7 +339,7 @@ class FieldsTest : public QObject {
     set_attribute(document, std::array{GaussianId{1}}, GaussianAttribute::radius, 0.9);
     document.undo_stack().undo();
     auto& table = *window->findChild<GaussianPanel*>()->table();
-    show(table);
+    show_dock_of(table);
     table.setFocus(Qt::TabFocusReason);
     QTest::keyClick(&table, Qt::Key_Tab);
     QVERIFY(!table.hasFocus());
@@ -405,7 +392,7 @@ class FieldsTest : public QObject {
         choice(window->findChild<QComboBox*>("brush_plane")),
     };
     for (const Field& field : fields) {
-      show(*field.over);
+      show_dock_of(*field.over);
       window->viewport().setFocus();
       QVERIFY(field.over->focusPolicy() != Qt::WheelFocus);  // nor does it get that by the wheel
       const QString before = field.value();
@@ -428,7 +415,7 @@ class FieldsTest : public QObject {
       area = qobject_cast<QScrollArea*>(above);
     }
     QVERIFY(area);
-    show(intensity);
+    show_dock_of(intensity);
     area->widget()->setMinimumHeight(area->height() + 400);
     QTRY_VERIFY(area->verticalScrollBar()->maximum() > 100);
     area->ensureWidgetVisible(&intensity);
@@ -436,101 +423,6 @@ class FieldsTest : public QObject {
     turn_wheel(intensity, -1);
     QVERIFY(area->verticalScrollBar()->value() > before);
     QCOMPARE(window->document().undo_stack().index(), 0);
-  }
-
-  void letters_typed_into_a_list_act_on_the_list_only() {
-    TestWindow window;
-    Document& document = window->document();
-    const Scene before = document.scene();
-    document.select({1, 2, 3});
-    auto* table = window->findChild<GaussianPanel*>()->table();
-    auto* outliner = window->findChild<Outliner*>();
-    for (QWidget* list : {static_cast<QWidget*>(table), static_cast<QWidget*>(outliner)}) {
-      show(*list);
-      list->setFocus();
-      QTest::keyClicks(list, "hxk");
-      QTest::keyClick(list, Qt::Key_Escape);
-    }
-    QCOMPARE(document.selection(), (std::vector<GaussianId>{1, 2, 3}));
-    QVERIFY(document.hidden().empty() && document.locked().empty());
-    QVERIFY(document.scene() == before);
-    // They search names, and no letter deletes what they find.
-    outliner->keyboardSearch({});  // what was typed before is over
-    QTest::keyClicks(outliner, "lig");
-    QCOMPARE(outliner->currentItem()->text(0), "Lights");
-    document.set_object(ObjectRef{ObjectRef::Kind::light, 0});
-    QTest::keyClick(outliner, Qt::Key_X);
-    QCOMPARE(document.scene().lights.size(), 1u);
-    // They are commands in the view, which the mouse gives the focus; it stays in the table.
-    document.set_object(std::nullopt);
-    QWidget& picture = *window->centralWidget();
-    const auto enter = [&] {
-      QEnterEvent event(picture.rect().center(), picture.rect().center(), {});
-      QApplication::sendEvent(&picture, &event);
-    };
-    table->setFocus();
-    enter();
-    QVERIFY(table->hasFocus());
-    outliner->setFocus();
-    enter();
-    QVERIFY(!outliner->hasFocus());
-    QTest::keyClick(QApplication::focusWidget(), Qt::Key_X);
-    QCOMPARE(document.medium().size(), 2u);
-    document.undo_stack().undo();
-  }
-
-  void no_list_of_the_window_lets_keys_through_to_the_selection() {
-    TestWindow window;
-    Document& document = window->document();
-    document.select({1, 2, 3});
-    drag_title(*window, "density", 40);  // so that the history has a step to go back to
-    const Scene before = document.scene();
-    const QAbstractItemView* table = window->findChild<GaussianPanel*>()->table();
-    int count = 0;
-    for (auto* list : window->findChildren<QAbstractItemView*>()) {
-      const bool is_shown_alone = list->window() != &*window;  // of a box to choose from
-      if (is_shown_alone || list->focusPolicy() == Qt::NoFocus) continue;
-      ++count;
-      for (QWidget* above = list; above != &*window; above = above->parentWidget()) {
-        auto* pages = qobject_cast<QStackedWidget*>(above->parentWidget());
-        pages ? pages->setCurrentWidget(above) : above->show();
-        if (qobject_cast<QDockWidget*>(above)) above->raise();
-      }
-      QVERIFY2(QTest::qWaitFor([list] { return list->isVisible(); }),
-               qPrintable(list->objectName() + list->parentWidget()->objectName()));
-      list->setFocus();
-      for (char letter = 'a'; letter <= 'z'; ++letter) {
-        QTest::keyClick(list, letter);
-        QTest::keyClick(list, letter, Qt::ShiftModifier);
-        if (QWidget* editor = QApplication::focusWidget(); editor != list) {
-          QTest::keyClick(editor, Qt::Key_Escape);
-          list->setFocus();
-        }
-      }
-      if (list != table) {  // whose rows are the selection
-        for (const Qt::Key key : {Qt::Key_Delete, Qt::Key_Home, Qt::Key_End}) {
-          QTest::keyClick(list, key);
-        }
-      }
-      QVERIFY2(document.scene() == before, list->metaObject()->className());
-      QCOMPARE(document.selection(), (std::vector<GaussianId>{1, 2, 3}));
-      QVERIFY(document.hidden().empty() && document.locked().empty());
-      QCOMPARE(step_count(document), 1);
-    }
-    QVERIFY2(count >= 4, qPrintable(QString::number(count)));
-    QTest::keyClick(window->findChild<GaussianPanel*>()->table(), Qt::Key_Delete);
-    QCOMPARE(document.medium().size(), 2u);
-    document.undo_stack().undo();
-    // The dope sheet has no names: keys that it lacks do nothing.
-    auto* sheet = window->findChild<DopeSheet*>();
-    show(*sheet);
-    sheet->setFocus();
-    QTest::keyClicks(sheet, "xhkgbe");
-    QTest::keyClick(sheet, Qt::Key_Delete);
-    QVERIFY(document.scene() == before);
-    QVERIFY(document.hidden().empty() && document.locked().empty());
-    const ToolBox& tools = window->tools();
-    QCOMPARE(tools.entries()[tools.active()].name, "select");
   }
 
   void a_title_of_the_panel_gaussians_is_dragged() {

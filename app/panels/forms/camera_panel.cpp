@@ -17,6 +17,7 @@
 #include "app/commands/edit_cameras.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
+#include "app/widgets/keys.h"
 #include "app/widgets/rows.h"
 #include "core/number_domain.h"
 #include "core/scene/cameras.h"
@@ -56,6 +57,11 @@ QWidget* CameraPanel::new_list() {
   list_->setFixedHeight(list_rows * list_->fontMetrics().lineSpacing() + 16);
   connect(list_, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) {
     use_camera(document_, item->data(name_role).toString());
+  });
+  on_delete_key(*list_, [this] {
+    if (const QListWidgetItem* item = list_->currentItem()) {
+      delete_camera(document_, item->data(name_role).toString());
+    }
   });
   connect(list_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
     if (!list_->isPersistentEditorOpen(item)) {

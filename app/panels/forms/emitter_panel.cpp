@@ -11,6 +11,7 @@
 #include "app/document/document.h"
 #include "app/document/object_titles.h"
 #include "app/widgets/emission_editor.h"
+#include "app/widgets/keys.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/optics_editor.h"
 #include "app/widgets/rows.h"
@@ -39,6 +40,7 @@ void EmitterPanel::add_list(QFormLayout& form) {
   auto* remove = named(new QPushButton(tr("Delete"), this), "delete_emitter");
   form.addRow(list_);
   form.addRow(remove);
+  on_delete_key(*list_, [remove] { remove->click(); });
   connect(remove, &QPushButton::clicked, this, [this] {
     delete_object(document_, {ObjectRef::Kind::emitter, document_.active_emitter()});
   });

@@ -26,6 +26,7 @@
 #include "app/panels/forms/key_button.h"
 #include "app/view/view.h"
 #include "app/widgets/color_button.h"
+#include "app/widgets/keys.h"
 #include "app/widgets/plain_text.h"
 #include "app/widgets/rows.h"
 #include "brume/limits.h"
@@ -129,6 +130,7 @@ void LightPanel::add_light_list(QFormLayout& form) {
       show_last();
     });
   }
+  on_delete_key(*list_, [remove] { remove->click(); });
   connect(remove, &QPushButton::clicked, this, [this] {
     delete_object(document_, {ObjectRef::Kind::light, document_.active_light()});
   });

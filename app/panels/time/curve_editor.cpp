@@ -386,11 +386,13 @@ void CurveEditor::delete_selected() {
   delete_keys(document_, keys);
 }
 
-// Letters, Delete, Home and Ctrl+A are shortcuts of the window too.
+// Letters, Delete, Home and Ctrl+A are shortcuts of the window too; the letter that sets a keyframe
+// stays one.
 bool CurveEditor::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<QKeyEvent*>(event);
-    if (is_letter(*key) || is_key_of("edit.delete", *key) ||
+    const bool is_other_letter = is_letter(*key) && !is_key_of("time.set_key", *key);
+    if (is_other_letter || is_key_of("edit.delete", *key) ||
         (key->key() == Qt::Key_Home && key->modifiers() == Qt::NoModifier) ||
         key->matches(QKeySequence::SelectAll)) {
       event->accept();

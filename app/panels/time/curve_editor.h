@@ -25,6 +25,7 @@ class Timeline;
 // fits, Ctrl+A selects all.
 class CurveEditor : public QWidget {
   Q_OBJECT
+  Q_PROPERTY(bool keeps_focus READ keeps_focus)  // FieldFilter
  public:
   CurveEditor(Timeline& timeline, Document& document, QWidget* parent);
 
@@ -47,6 +48,8 @@ class CurveEditor : public QWidget {
   [[nodiscard]] const std::vector<Track>& tracks() const { return tracks_; }
   [[nodiscard]] const std::vector<Curve>& curves() const { return curves_; }
   [[nodiscard]] const CurveSelection& selection() const { return selection_; }
+  // Keys are about the selected keyframes, wherever the mouse is.
+  [[nodiscard]] bool keeps_focus() const { return !selection_.empty(); }
   [[nodiscard]] QPointF position(double time, double value, std::size_t track = 0) const {
     return axes_.position(time, value, track);
   }

@@ -444,12 +444,13 @@ bool DopeSheet::acts_on(const QKeyEvent& key) const {
          (key.key() == Qt::Key_Home && key.modifiers() == Qt::NoModifier);
 }
 
-// These keys are shortcuts of the window too, for Gaussians; so are letters, and Delete where no
-// key is selected.
+// These keys are shortcuts of the window too, for Gaussians; so are letters, but that which sets a
+// keyframe, and Delete where no key is selected.
 bool DopeSheet::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto& key = *static_cast<const QKeyEvent*>(event);
-    if (acts_on(key) || is_letter(key) || is_key_of("edit.delete", key)) {
+    const bool is_other_letter = is_letter(key) && !is_key_of("time.set_key", key);
+    if (acts_on(key) || is_other_letter || is_key_of("edit.delete", key)) {
       event->accept();
       return true;
     }

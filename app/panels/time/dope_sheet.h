@@ -20,6 +20,7 @@ class Document;
 // Delete deletes, Ctrl+C and Ctrl+V copy, right click opens a menu, double click adds a key.
 class DopeSheet : public QWidget {
   Q_OBJECT
+  Q_PROPERTY(bool keeps_focus READ keeps_focus)  // FieldFilter
  public:
   static constexpr int names_width = 190;  // pixels
 
@@ -34,6 +35,8 @@ class DopeSheet : public QWidget {
   [[nodiscard]] QPoint position(std::size_t row, int frame) const;
   [[nodiscard]] QPoint name_position(std::size_t row) const;
   [[nodiscard]] const KeySelection& selection() const { return selection_; }
+  // Keys are about the selected keyframes, wherever the mouse is.
+  [[nodiscard]] bool keeps_focus() const { return !selection_.empty(); }
   // The values whose names are chosen.
   [[nodiscard]] const std::vector<Track>& chosen() const { return chosen_; }
 
