@@ -152,6 +152,11 @@ void set_attribute_value(Gaussian& gaussian, GaussianAttribute field, double val
   }
 }
 
+double extinction_over_density(const glm::dvec3& albedo) {
+  constexpr double min_albedo = 0.01;
+  return albedo_luminance(1.0 / glm::max(albedo, min_albedo));
+}
+
 Gaussian within_domains(const Gaussian& gaussian) {
   Gaussian result = gaussian;
   for (const GaussianAttribute field : gaussian_attributes) {

@@ -55,6 +55,10 @@ void set_attribute_value(Gaussian& gaussian, GaussianAttribute field, double val
 double emission_strength(const glm::dvec3& emission);
 glm::dvec3 emission_color(const glm::dvec3& emission);
 
+// The mean extinction over the density, the scattering: channels count by their luminance. A
+// channel of the albedo below 0.01 counts as 0.01, or black ones would decide alone.
+double extinction_over_density(const glm::dvec3& albedo);
+
 // Clamps all attributes to their domains, and the smallest radius to that of lengths.
 Gaussian within_domains(const Gaussian& gaussian);
 

@@ -20,6 +20,14 @@ double encoded(double linear) {
   return srgb_encoded(std::clamp(linear, 0.0, 1.0));
 }
 
+// A new row below all else of a dialog, which begins with a title.
+QHBoxLayout* add_titled_row(QColorDialog& dialog, const QString& title) {
+  auto* row = new QHBoxLayout;
+  static_cast<QBoxLayout*>(dialog.layout())->addLayout(row);
+  row->addWidget(new QLabel(title, &dialog));
+  return row;
+}
+
 }  // namespace
 
 QColor to_color(const glm::dvec3& linear) {
@@ -82,8 +90,7 @@ void ColorButton::add_temperatures(QColorDialog& dialog) {
                                                   {5600, QT_TR_NOOP("daylight")},
                                                   {6500, QT_TR_NOOP("an overcast sky")},
                                                   {10'000, QT_TR_NOOP("a blue sky")}});
-  auto* row = new QHBoxLayout;
-  row->addWidget(new QLabel(tr("Temperature")));
+  QHBoxLayout* row = add_titled_row(dialog, tr("Temperature"));
   for (const auto& [temperature, name] : sources) {
     auto* swatch = new QToolButton(&dialog);
     swatch->setObjectName(QString("color_%1_K").arg(temperature));
@@ -96,12 +103,10 @@ void ColorButton::add_temperatures(QColorDialog& dialog) {
             [&dialog, color] { dialog.setCurrentColor(color); });
   }
   row->addStretch();
-  dialog.layout()->addItem(row);
 }
 
 void ColorButton::add_linear_fields(QColorDialog& dialog, MergeId gesture) {
-  auto* row = new QHBoxLayout;
-  row->addWidget(new QLabel(tr("Linear")));
+  QHBoxLayout* row = add_titled_row(dialog, tr("Linear"));
   for (int k = 0; k < 3; ++k) {
     auto* field = new ValueField(QString("RGB").at(k), domain::unit, ValueField::Scale::linear,
                                  0.002, &dialog);
@@ -120,7 +125,6 @@ void ColorButton::add_linear_fields(QColorDialog& dialog, MergeId gesture) {
       Q_EMIT edited(linear, gesture);
     });
   }
-  dialog.layout()->addItem(row);
 }
 
 }  // namespace brume

@@ -13,7 +13,6 @@
 #include "app/document/gaussian_attribute.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
-#include "core/scene/lights/photometry.h"
 
 namespace brume {
 namespace {
@@ -255,19 +254,18 @@ void GaussianForm::refresh() {
   optics_->show_optics(any ? std::optional(common.first->optics) : std::nullopt, shown_albedo_);
 }
 
-// The density follows the luminance of the albedo, so that the optical depth stays.
+// The density follows the albedo, so that the mean extinction stays.
 void GaussianForm::change_optics(const OpticsEditor::Change& change, MergeId gesture) {
   const std::vector<GaussianId> ids = document_.selection();
   std::vector<Gaussian> after;
   for (const GaussianId id : ids) {
     Gaussian& gaussian =
         after.emplace_back(document_.medium().gaussian(*document_.medium().index_of(id)));
-    const glm::dvec3 before = gaussian.optics.albedo.value_or(shown_albedo_);
+    const glm::dvec3 old_albedo = gaussian.optics.albedo.value_or(shown_albedo_);
     change(gaussian.optics);
     const glm::dvec3 albedo = gaussian.optics.albedo.value_or(shown_albedo_);
-    if (albedo == before) continue;
-    gaussian.density *= luminance(albedo) / luminance(before);
-    gaussian = within_domains(gaussian);
+    if (albedo == old_albedo) continue;
+    gaussian.density *= extinction_over_density(old_albedo) / extinction_over_density(albedo);
   }
   change_gaussians(document_, ids, after, tr("Set colours of %1").arg(gaussians_text(ids.size())),
                    gesture);
