@@ -11,10 +11,6 @@ namespace {
 
 constexpr double min_drag = 4.0;  // pixels: less is a click, which marks nothing
 
-// Sides of the safe areas over those of the picture.
-constexpr double action_safe = 0.9;
-constexpr double title_safe = 0.8;
-
 QRectF unit_square() {
   return {0.0, 0.0, 1.0, 1.0};
 }
@@ -124,7 +120,7 @@ void CameraFrame::paint_guides(QPainter& painter) const {
     }
   }
   if (!guides_.safe_areas) return;
-  for (const double side : {action_safe, title_safe}) {
+  for (const double side : {action_side, title_side}) {
     const double margin = 0.5 * (1.0 - side);
     painter.drawRect(on_pane({margin, margin, side, side}));
   }

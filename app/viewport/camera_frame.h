@@ -18,6 +18,10 @@ class CameraFrame : public QWidget {
   // The frame in the pane, with a title; nullopt: none.
   void show_frame(const std::optional<QRectF>& frame, const QString& title);
 
+  // Sides of the safe areas over those of the picture.
+  static constexpr double action_side = 0.9;
+  static constexpr double title_side = 0.8;
+
   // Lines to compose by.
   struct Guides {
     bool thirds = false;

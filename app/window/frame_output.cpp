@@ -153,8 +153,16 @@ void FrameOutput::create_guide_actions() {
       tr("Lines at the thirds of the camera's picture, while you look through it"),
       &CameraFrame::Guides::thirds);
   add(tr("&Safe Areas"), "view.safe_areas",
-      tr("The parts of the camera's picture where action (90%) and titles (80%) stay visible"),
+      tr("The parts of the camera's picture where action (%1) and titles (%2) stay visible")
+          .arg(percent_text(CameraFrame::action_side), percent_text(CameraFrame::title_side)),
       &CameraFrame::Guides::safe_areas);
+  // Guides are drawn in the camera's frame.
+  const CameraController& camera = work_.views.perspective().camera_controller();
+  const auto enable = [this, &camera] {
+    for (QAction* action : guide_actions_) action->setEnabled(camera.frame().has_value());
+  };
+  connect(&camera, &CameraController::moved, this, enable);
+  enable();
 }
 
 QTabWidget* FrameOutput::make_tabs() {

@@ -298,11 +298,17 @@ class CamerasTest : public QObject {
 
   void guides_are_drawn_in_the_frame_of_the_camera() {
     TestWindow window(tiny_scene());
+    const auto* thirds = window->findChild<QAction*>("view.thirds");
+    QVERIFY(!thirds->isEnabled());
     window.key(Qt::Key_0);
+    QVERIFY(thirds->isEnabled());
+    invoke(window, "view.camera_frame");
+    QVERIFY(!thirds->isEnabled());
+    invoke(window, "view.camera_frame");
     CameraFrame& frame = window->viewport().camera_frame();
     QVERIFY(frame.isVisible());
     const QRectF inside = *window->viewport().camera_controller().frame();
-    // What is drawn at a place on the upper third of the frame, between its thirds in x.
+    // Whether a line passes a place, in fractions of the frame.
     const auto is_drawn = [&](double x, double y) {
       QImage drawn(frame.size(), QImage::Format_ARGB32);
       drawn.fill(Qt::transparent);
