@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "brume/limits.h"
+#include "core/io/frame_loop.h"
 
 namespace brume {
 namespace {
@@ -61,12 +62,7 @@ QString duration_text(double milliseconds) {
 }
 
 QString estimated_time_text(double seconds) {
-  constexpr double max_seconds = 99.5;
-  if (seconds < max_seconds) return fixed_text(std::max(1.0, seconds), 0) + " s";
-  const double minutes = std::round(seconds / 60.0);
-  if (minutes < max_seconds) return fixed_text(minutes, 0) + " min";
-  const double hours = std::floor(minutes / 60.0);
-  return QString("%1 h %2 min").arg(fixed_text(hours, 0), fixed_text(minutes - 60.0 * hours, 0));
+  return QString::fromStdString(estimated_seconds_text(std::max(1.0, seconds)));
 }
 
 QString percent_text(double share) {

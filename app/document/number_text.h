@@ -15,7 +15,7 @@ QString exact_number_text(double value);
 QString fixed_text(double value, int decimals);
 // "8.2 ms", "140 ms", "1.2 s".
 QString duration_text(double milliseconds);
-// A time that is estimated: "8 s", "12 min", "2 h 10 min".
+// A time that is estimated, at least a second: "8 s", "3 min 4 s", "2 h 10 min".
 QString estimated_time_text(double seconds);
 // A share in per cent, to about two digits: "1.4 %", "0.7 %", "< 0.01 %", "0 %".
 QString percent_text(double share);

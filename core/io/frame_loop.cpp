@@ -16,16 +16,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// "1 h 2 min", "3 min 4 s", "5 s"
-std::string duration_text(double seconds) {
-  const auto whole = static_cast<long long>(seconds + 0.5);
-  if (whole >= 3600) {
-    return std::to_string(whole / 3600) + " h " + std::to_string(whole / 60 % 60) + " min";
-  }
-  if (whole >= 60) return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
-  return std::to_string(whole) + " s";
-}
-
 class Running {
  public:
   Running(std::span<const int> frames, const FrameLoop::Steps& steps)
@@ -100,8 +90,8 @@ class Running {
                        std::to_string(index + 1) + " of " + std::to_string(frames_.size());
     if (timed_ == 0) return text;
     const double each = (result_.making + result_.waiting) / timed_;
-    return text + ", " + duration_text(each * static_cast<double>(frames_.size() - index)) +
-           " left";
+    return text + ", " +
+           estimated_seconds_text(each * static_cast<double>(frames_.size() - index)) + " left";
   }
 
   std::span<const int> frames_;
@@ -112,6 +102,15 @@ class Running {
 };
 
 }  // namespace
+
+std::string estimated_seconds_text(double seconds) {
+  const auto whole = static_cast<long long>(seconds + 0.5);
+  if (whole >= 3600) {
+    return std::to_string(whole / 3600) + " h " + std::to_string(whole / 60 % 60) + " min";
+  }
+  if (whole >= 60) return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
+  return std::to_string(whole) + " s";
+}
 
 std::vector<int> FrameLoop::Result::failed_frames() const {
   std::vector<int> frames;

@@ -8,6 +8,9 @@
 
 namespace brume {
 
+// An estimated time: "1 h 2 min", "3 min 4 s", "5 s".
+std::string estimated_seconds_text(double seconds);
+
 // Makes the frames of a sequence one after another, and writes the files of one while the next is
 // made. What fails in a frame, by InputError or for want of memory, leaves the others alone; other
 // exceptions end the run when the files before are written.

@@ -58,6 +58,9 @@ class NumberTextTest : public QObject {
     QCOMPARE(duration_text(8.24), "8.2 ms");
     QCOMPARE(duration_text(140.4), "140 ms");
     QCOMPARE(duration_text(999.7), "1.0 s");
+    QCOMPARE(estimated_time_text(0.2), "1 s");
+    QCOMPARE(estimated_time_text(184.0), "3 min 4 s");
+    QCOMPARE(estimated_time_text(7800.0), "2 h 10 min");
   }
 };
 
