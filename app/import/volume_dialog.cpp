@@ -21,6 +21,7 @@
 #include "app/widgets/plain_text.h"
 #include "app/widgets/rows.h"
 #include "core/fit/volume_survey.h"
+#include "core/io/volume/vdb_tree.h"
 
 namespace brume {
 namespace {
@@ -35,14 +36,14 @@ QString size_text(const VolumeGridInfo& grid) {
 }
 
 QString range_text(const std::optional<ValueRange>& range) {
-  if (!range) return QString();
+  if (!range) return "–";
   return VolumeDialog::tr("%1 to %2")
       .arg(number_text(range->min_value, 3), number_text(range->max_value, 3));
 }
 
-// Densities are numbers, colours and velocities have three.
-bool is_scalar(const VolumeGridInfo& grid) {
-  return !grid.type.starts_with("vec");
+bool can_be_density(const VolumeGridInfo& grid) {
+  const auto values = VdbValues::of_type(grid.type);
+  return values && values->components == 1;
 }
 
 QTreeWidget* new_grid_list(QWidget* parent) {
@@ -96,8 +97,15 @@ VolumeDialog::VolumeDialog(const std::filesystem::path& file, const std::optiona
   if (run) folder_ = add_folder_row(form, file, *run);
   form->addRow(tr("Takes about"), cost_);
   auto* import = named(new QPushButton(tr("Import")), "import_volume");
-  if (grids_.empty()) {
-    auto* why = new PlainLabel(problem.isEmpty() ? tr("The file has no grids.") : problem, this);
+  if (problem.isEmpty()) {
+    if (grids_.empty()) {
+      problem = tr("The file has no grids.");
+    } else if (std::ranges::none_of(grids_, can_be_density)) {
+      problem = tr("None of its grids can be a density; allowed: grids of one number per voxel.");
+    }
+  }
+  if (!problem.isEmpty()) {
+    auto* why = named(new PlainLabel(problem, this), "volume_problem");
     why->setWordWrap(true);
     form->addRow(why);
   }
@@ -109,6 +117,7 @@ VolumeDialog::VolumeDialog(const std::filesystem::path& file, const std::optiona
   connect(appearance_, &AppearanceFields::changed, this, update);
   connect(count_, &QSpinBox::valueChanged, this, &VolumeDialog::show_cost);
   connect(shape_, &QComboBox::currentIndexChanged, this, &VolumeDialog::show_cost);
+  connect(up_, &QComboBox::activated, this, [this] { is_up_chosen_ = true; });
   connect(grid_list_, &QTreeWidget::currentItemChanged, this, &VolumeDialog::choose_grid);
   list_grids();
   update();
@@ -121,8 +130,8 @@ void VolumeDialog::list_grids() {
     const QString name = QString::fromStdString(grid.name);
     auto* row =
         new QTreeWidgetItem(grid_list_, {name, count_text(grid.voxels), size_text(grid), "…"});
-    row->setDisabled(!is_scalar(grid));
-    if (!is_scalar(grid)) continue;
+    row->setDisabled(!can_be_density(grid));
+    if (row->isDisabled()) continue;
     if (!chosen || (name == "density" && chosen->text(name_column) != name)) chosen = row;
   }
   grid_list_->setCurrentItem(chosen);
@@ -139,13 +148,17 @@ void VolumeDialog::list_grids() {
 void VolumeDialog::read_ranges() {
   if (grids_.empty()) return;
   reading_.start([this, file = file_](const Job& job) -> BackgroundJob::Apply {
-    return [this, ranges = value_ranges(file, job.stop)] {
-      for (std::size_t k = 0; k < std::min(ranges.size(), grids_.size()); ++k) {
-        grid_list_->topLevelItem(static_cast<int>(k))
-            ->setText(values_column, range_text(ranges[k]));
-      }
-    };
+    return [this, ranges = value_ranges(file, job.stop)] { show_ranges(ranges); };
   });
+  connect(&reading_, &BackgroundJob::failed, this, [this] { show_ranges({}); });
+}
+
+// Grids without a range have a dash.
+void VolumeDialog::show_ranges(std::vector<std::optional<ValueRange>> ranges) {
+  ranges.resize(grids_.size());
+  for (std::size_t k = 0; k < grids_.size(); ++k) {
+    grid_list_->topLevelItem(static_cast<int>(k))->setText(values_column, range_text(ranges[k]));
+  }
 }
 
 const VolumeGridInfo* VolumeDialog::grid() const {
@@ -154,7 +167,8 @@ const VolumeGridInfo* VolumeDialog::grid() const {
 }
 
 void VolumeDialog::choose_grid() {
-  if (const VolumeGridInfo* chosen = grid()) up_->setCurrentIndex(is_probably_z_up(*chosen));
+  const VolumeGridInfo* chosen = grid();
+  if (chosen && !is_up_chosen_) up_->setCurrentIndex(is_probably_z_up(*chosen));
   show_cost();
 }
 
@@ -167,10 +181,10 @@ void VolumeDialog::show_cost() {
   }
   const FitCost cost =
       estimate_fit_cost(blocks, fit().options, static_cast<unsigned>(QThread::idealThreadCount()));
-  std::error_code none;
-  const auto file_bytes = static_cast<double>(std::filesystem::file_size(file_, none));
+  std::error_code error;
+  const auto file_bytes = static_cast<double>(std::filesystem::file_size(file_, error));
   const auto megabytes =
-      static_cast<int>(std::ceil(1e-6 * (cost.bytes + (none ? 0.0 : file_bytes))));
+      static_cast<int>(std::ceil(1e-6 * (cost.bytes + (error ? 0.0 : file_bytes))));
   cost_->setText(
       tr("%1 and %2 MB of memory").arg(estimated_time_text(frames_ * cost.seconds)).arg(megabytes));
 }

@@ -38,6 +38,7 @@ class VolumeDialog : public QDialog {
  private:
   void list_grids();
   void read_ranges();
+  void show_ranges(std::vector<std::optional<ValueRange>> ranges);
   [[nodiscard]] const VolumeGridInfo* grid() const;  // that is chosen
   void choose_grid();
   void show_cost();
@@ -54,6 +55,7 @@ class VolumeDialog : public QDialog {
   QDoubleSpinBox* error_;
   QLineEdit* scale_;
   QComboBox* up_;
+  bool is_up_chosen_ = false;  // by the user, not guessed
   AppearanceFields* appearance_;
   QLineEdit* folder_ = nullptr;  // sequences only
   BackgroundJob reading_{BackgroundJob::Policy::latest_wins};

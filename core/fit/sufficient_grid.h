@@ -7,7 +7,10 @@
 
 namespace brume {
 
-inline constexpr std::size_t max_voxels_per_gaussian = 1024;
+// More voxels than these tell a fit of `count` Gaussians nothing more.
+constexpr std::size_t sufficient_voxels(std::size_t count) {
+  return 1024 * count;
+}
 
 // The grid at a resolution that suffices for `count` Gaussians: the time of a fit follows the
 // voxels, and where each Gaussian has thousands of them, fewer tell as much. nullopt: the grid

@@ -49,7 +49,7 @@ struct VolumeFit {
   bool z_up = false;                              // rotates z to y
   double frames_per_second = default_frame_rate;  // for sequences with velocities
   AppearanceOptions appearance;
-  // For a first look at one file: few Gaussians at a low resolution, in a few steps.
+  // A preview of one file has few Gaussians at a low resolution, fitted in a few steps.
   bool is_preview = false;
 };
 
@@ -64,8 +64,8 @@ struct FittedVolume {
   [[nodiscard]] std::vector<Gaussian> gaussians() const;
 };
 
-// The fit needs about 6 kB of memory per block.
 inline constexpr std::size_t max_fitted_blocks = 200'000;
+inline constexpr double fit_bytes_per_block = 6e3;  // of memory, about
 
 // Fits one OpenVDB file, or those of a sequence in order, each starting from the previous frame's
 // advected Gaussians. Grids of more than 200,000 blocks are downsampled by two until they fit.

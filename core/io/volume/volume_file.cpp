@@ -51,9 +51,14 @@ Extent extent_of(ByteReader reader, const VdbValues& values) {
   return extent;
 }
 
-std::optional<ValueRange> value_range(ByteReader reader, const VdbValues& values) {
+struct Stopped {};
+
+// Throws Stopped.
+std::optional<ValueRange> value_range(ByteReader reader, const VdbValues& values,
+                                      const std::stop_token& stop) {
   std::optional<ValueRange> range;
   const auto add = [&range](double value) {
+    if (!std::isfinite(value)) return;
     if (!range) range = {value, value};
     range->min_value = std::min(range->min_value, value);
     range->max_value = std::max(range->max_value, value);
@@ -62,8 +67,16 @@ std::optional<ValueRange> value_range(ByteReader reader, const VdbValues& values
   const auto tile = [&](const VdbTile& t) {
     add(values.components == 1 ? t.value.x : glm::length(t.value));
   };
-  read_vdb_topology(reader, values, {tile, [&](const VdbLeaf& l) { leaves.push_back(l); }});
+  const auto check_stop = [&stop] {
+    if (stop.stop_requested()) throw Stopped();
+  };
+  const auto leaf = [&](const VdbLeaf& l) {
+    check_stop();
+    leaves.push_back(l);
+  };
+  read_vdb_topology(reader, values, {tile, leaf});
   read_vdb_leaves(reader, values, leaves, [&](const VdbLeaf&, std::span<const double> numbers) {
+    check_stop();
     for (std::size_t i = 0; i < numbers.size(); i += values.components) {
       add(values.components == 1
               ? numbers[i]
@@ -124,9 +137,14 @@ std::vector<std::optional<ValueRange>> value_ranges(const Path& path, const std:
   const std::string bytes = read_bytes(path);
   std::vector<std::optional<ValueRange>> result;
   for (const VdbGrid& grid : read_vdb_grids(path, bytes)) {
-    if (stop.stop_requested()) return {};
-    result.push_back(grid.values ? value_range(vdb_tree(path, bytes, grid), *grid.values)
-                                 : std::nullopt);
+    result.emplace_back();
+    if (!grid.values) continue;
+    try {
+      result.back() = value_range(vdb_tree(path, bytes, grid), *grid.values, stop);
+    } catch (const InputError&) {  // the others may be readable
+    } catch (const Stopped&) {
+      return {};
+    }
   }
   return result;
 }

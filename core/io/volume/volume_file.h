@@ -42,13 +42,13 @@ struct VolumeGridInfo {
 // Lists the grids of a file. Throws InputError.
 std::vector<VolumeGridInfo> volume_grids(const std::filesystem::path& file);
 
-// The values of a grid's active voxels, of several components their lengths.
+// The finite values of a grid's active voxels, of several components their lengths.
 struct ValueRange {
   double min_value = 0.0;
   double max_value = 0.0;
 };
-// The ranges of all grids of a file, in the order of volume_grids(); nullopt without values. Throws
-// InputError.
+// The ranges of all grids of a file, in the order of volume_grids(); nullopt without values, or if
+// they cannot be read. Nothing if stopped. Throws InputError.
 std::vector<std::optional<ValueRange>> value_ranges(const std::filesystem::path& file,
                                                     const std::stop_token& stop = {});
 

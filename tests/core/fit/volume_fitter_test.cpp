@@ -307,6 +307,7 @@ TEST(VolumeSurvey, GuessesTheUpAxis) {
   EXPECT_FALSE(is_z_up({1.0, 3.0, 1.1}));  // the same
   EXPECT_FALSE(is_z_up({9.0, 2.0, 8.0}));
   EXPECT_FALSE(is_z_up({2.0, 2.0, 2.05}));
+  EXPECT_FALSE(is_z_up({3.0, 2.0, 20.0}));  // a tunnel
 }
 
 TEST(VolumeSurvey, CostGrowsWithVoxelsAndGaussians) {

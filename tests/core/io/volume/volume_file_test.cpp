@@ -3,11 +3,15 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <array>
 #include <cmath>
+#include <fstream>
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "core/io/disk/file_bytes.h"
 #include "core/io/volume/openvdb_grid.h"
+#include "core/io/volume/vdb_file.h"
 #include "core/io/volume/volume_optics.h"
 #include "core/volume/medium_grid.h"
 #include "tests/core/io/folder_test.h"
@@ -76,6 +80,32 @@ TEST_F(VolumeFile, ReadsSmokeOfASimulation) {
   EXPECT_EQ(static_cast<float>(ranges[1]->max_value), max_value);
   EXPECT_GE(ranges[0]->min_value, 0.0);  // lengths of velocities
   EXPECT_FALSE(ranges[4]);               // no flames
+}
+
+TEST_F(VolumeFile, RangesAreOfFiniteValues) {
+  const auto grid = openvdb::FloatGrid::create();
+  const std::array values{std::numeric_limits<float>::quiet_NaN(), 2.0f, 1.0f,
+                          std::numeric_limits<float>::infinity()};
+  for (int i = 0; i < 4; ++i) {
+    grid->getAccessor().setValue({0, 0, i}, values[static_cast<std::size_t>(i)]);
+  }
+  write(folder_ / "a.vdb", "density", grid);
+  const auto range = value_ranges(folder_ / "a.vdb").at(0);
+  ASSERT_TRUE(range);
+  EXPECT_EQ(range->min_value, 1.0);
+  EXPECT_EQ(range->max_value, 2.0);
+}
+
+TEST_F(VolumeFile, RangesAreOfTheGridsThatCanBeRead) {
+  const std::filesystem::path smoke = volumes / "smoke_0025.vdb";
+  std::string bytes = read_bytes(smoke);
+  const VdbGrid damaged = read_vdb_grids(smoke, bytes).at(1);
+  for (std::uint64_t i = damaged.tree; i < damaged.end; ++i) bytes[i] = '\x7f';
+  std::ofstream(folder_ / "a.vdb", std::ios::binary) << bytes;
+  const auto ranges = value_ranges(folder_ / "a.vdb");
+  ASSERT_EQ(ranges.size(), 5u);
+  EXPECT_FALSE(ranges[1]);
+  EXPECT_TRUE(ranges[2]);
 }
 
 // At the voxels' points, or each component in the middle of its face.
