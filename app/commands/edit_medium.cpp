@@ -47,8 +47,8 @@ void replace_gaussians(Document& document, std::span<const GaussianId> removed,
   for (const Gaussian& gaussian : added) allowed.push_back(within_domains(gaussian));
   MediumEdit edit = MediumEdit::remove(document.medium(), removed);
   edit.merge(MediumEdit::add(document.medium(), allowed));
-  document.undo_stack().push(
-      new MediumCommand(document, std::move(edit), text, no_merge, AfterAdding::add_to_selection));
+  document.undo_stack().push(new MediumCommand(document, std::move(edit), text, no_merge,
+                                               AfterAdding::select_like_removed));
 }
 
 void delete_selection(Document& document, const QString& verb) {

@@ -16,7 +16,8 @@ class Document;
 void add_gaussian(Document& document, const Gaussian& gaussian);
 // Adds and selects Gaussians. `verb` begins the undo text: "Paste 3 Gaussians".
 void add_gaussians(Document& document, std::span<const Gaussian> gaussians, const QString& verb);
-// Replaces some Gaussians by others, one step; these are selected beside what else was.
+// Puts other Gaussians in place of some, as one undo step; if some of those were selected, the
+// others are, beside what else is.
 void replace_gaussians(Document& document, std::span<const GaussianId> removed,
                        std::span<const Gaussian> added, const QString& text);
 void delete_selection(Document& document, const QString& verb);

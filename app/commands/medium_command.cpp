@@ -1,5 +1,7 @@
 #include "app/commands/medium_command.h"
 
+#include <algorithm>
+
 #include "app/document/document.h"
 
 namespace brume {
@@ -14,19 +16,35 @@ MediumCommand::MediumCommand(Document& document, MediumEdit edit, const QString&
 }
 
 void MediumCommand::apply() {
+  const bool was_selected = removes_selected();
   if (changes_ids()) selection_before_ = document_.selection();
   document_.apply(edit_);
-  if (after_adding_ != AfterAdding::keep_selection && !edit_.added().empty()) {
-    std::vector<GaussianId> ids;
-    if (after_adding_ == AfterAdding::add_to_selection) ids = document_.selection();
-    for (const MediumEdit::Entry& entry : edit_.added()) ids.push_back(entry.id);
-    document_.select(std::move(ids));
+  if (edit_.added().empty() || after_adding_ == AfterAdding::keep_selection) return;
+  std::vector<GaussianId> ids;
+  if (after_adding_ == AfterAdding::select_like_removed) {
+    if (!was_selected) return;
+    ids = selection_before_;
   }
+  for (const MediumEdit::Entry& entry : edit_.added()) ids.push_back(entry.id);
+  select(std::move(ids));
 }
 
 void MediumCommand::revert() {
   document_.apply(edit_.inverted());
-  if (changes_ids()) document_.select(selection_before_);
+  if (changes_ids()) select(selection_before_);
+}
+
+// Gaussians in place of others leave alone which object is selected.
+void MediumCommand::select(std::vector<GaussianId> ids) {
+  const std::optional<ObjectRef> object = document_.object();
+  document_.select(std::move(ids));
+  if (after_adding_ == AfterAdding::select_like_removed) document_.set_object(object);
+}
+
+bool MediumCommand::removes_selected() const {
+  return std::ranges::any_of(edit_.removed(), [this](const MediumEdit::Entry& entry) {
+    return document_.is_selected(entry.id);
+  });
 }
 
 bool MediumCommand::changes_ids() const {

@@ -6,8 +6,9 @@
 
 namespace brume {
 
-// Whether added Gaussians (pasted, restored by undo) become the selection, or a part of it.
-enum class AfterAdding { select, add_to_selection, keep_selection };
+// Whether added Gaussians (pasted, restored by undo) become the selection, or a part of it if some
+// of the removed ones were.
+enum class AfterAdding { select, select_like_removed, keep_selection };
 
 // A medium edit as a command. Empty edits, and gestures that return to the start, leave no step.
 class MediumCommand : public SceneCommand {
@@ -24,6 +25,8 @@ class MediumCommand : public SceneCommand {
 
  private:
   [[nodiscard]] bool changes_ids() const;
+  [[nodiscard]] bool removes_selected() const;
+  void select(std::vector<GaussianId> ids);
 
   MediumEdit edit_;
   MergeId merge_id_;

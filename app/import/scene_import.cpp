@@ -96,10 +96,10 @@ void SceneImport::ask_sequence() {
   if (!file.empty()) import_sequence(file);
 }
 
-void SceneImport::start(const fs::path& file, const BackgroundJob::Work& work) {
-  if (!job_.start(work, tr("Importing %1").arg(to_qstring(file.filename())))) {
-    Q_EMIT failed(tr("Another import or export is still running."));
-  }
+bool SceneImport::start(const fs::path& file, const BackgroundJob::Work& work) {
+  if (job_.start(work, tr("Importing %1").arg(to_qstring(file.filename())))) return true;
+  Q_EMIT failed(tr("Another import or export is still running."));
+  return false;
 }
 
 void SceneImport::import_file(const fs::path& given) {
@@ -360,21 +360,34 @@ BackgroundJob::Apply SceneImport::read(const std::vector<File>& files, const Spl
 }
 
 void SceneImport::import_volume(const fs::path& file, const VolumeFit& how) {
-  start(file, [this, file, how](const Job& job) -> BackgroundJob::Apply {
+  const auto preview = std::make_shared<VolumePreview>();
+  const bool is_started = start(file, [=, this](const Job& job) -> BackgroundJob::Apply {
     const QString text = lines_of(volume_warnings(file));
     VolumeFit quick = how;
     quick.is_preview = true;
     const auto first = fit_volume(file, quick, {job.stop, {}});
     if (!first) return {};
-    const auto preview = std::make_shared<VolumePreview>(*first);
-    job_.deliver(job, [this, preview] { show_preview(document_, preview); });
+    job_.deliver(job, [this, preview, first] {
+      preview->gaussians = *first;
+      show_preview(document_, preview);
+      if (preview->ids.empty()) job_.cancel();
+    });
     const auto gaussians = fit_volume(file, how, job);
     if (!gaussians) return {};
-    return [this, preview, gaussians, text] {
-      if (!text.isEmpty()) Q_EMIT warned(text);
-      refine_preview(document_, *preview, *gaussians);
+    return [=, this] {
+      QStringList notes;
+      if (!text.isEmpty()) notes << text;
+      if (!refine_preview(document_, *preview, *gaussians)) {
+        notes << tr("The preview of %1 has been changed, so it stays: the fit does not replace it.")
+                     .arg(to_qstring(file.filename()));
+      }
+      if (!notes.isEmpty()) Q_EMIT warned(notes.join('\n'));
     };
   });
+  if (!is_started) return;
+  auto* fit = new QObject(this);  // until it ends
+  connect(&job_, &BackgroundJob::ended, fit, &QObject::deleteLater);
+  follow_preview(document_, preview, fit, [this] { job_.cancel(); });
 }
 
 void SceneImport::add_surfaces(const std::vector<Surface>& added, const QString& text) {

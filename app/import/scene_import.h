@@ -61,7 +61,8 @@ class SceneImport : public QObject {
   void camera_used();
 
  private:
-  void start(const std::filesystem::path& file, const BackgroundJob::Work& work);
+  // False, and failed(): another job is running.
+  bool start(const std::filesystem::path& file, const BackgroundJob::Work& work);
   struct File {
     std::filesystem::path path;
     ImportKind kind;

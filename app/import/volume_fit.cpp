@@ -26,6 +26,33 @@ SequenceFrame to_frame(const std::vector<Gaussian>& gaussians,
   return frame;
 }
 
+bool is_gone(const Document& document, const VolumePreview& preview) {
+  return std::ranges::none_of(
+      preview.ids, [&](GaussianId id) { return document.medium().index_of(id).has_value(); });
+}
+
+bool is_as_added(const Document& document, const VolumePreview& preview) {
+  const Medium& medium = document.medium();
+  for (std::size_t i = 0; i < preview.ids.size(); ++i) {
+    const auto index = medium.index_of(preview.ids[i]);
+    if (!index || medium.gaussian(*index) != preview.added[i]) return false;
+    if (!document.is_editable(preview.ids[i])) return false;
+  }
+  return true;
+}
+
+// Imports it again, which by itself would select it.
+void adjust_preview(Document& document, VolumePreview& preview) {
+  const std::optional<ObjectRef> object = document.object();
+  std::vector<GaussianId> selection = document.selection();
+  const bool was_selected =
+      std::ranges::any_of(preview.ids, [&](GaussianId id) { return document.is_selected(id); });
+  document.last_operation().adjust(preview.placement);
+  if (was_selected) selection.insert(selection.end(), preview.ids.begin(), preview.ids.end());
+  document.select(std::move(selection));
+  document.set_object(object);
+}
+
 }  // namespace
 
 std::optional<std::vector<Gaussian>> fit_volume(const std::filesystem::path& file,
@@ -51,29 +78,47 @@ std::vector<SequenceFrame> fit_volumes(const std::vector<std::filesystem::path>&
 }
 
 void show_preview(Document& document, const std::shared_ptr<VolumePreview>& preview) {
-  LastOperation& last = document.last_operation();
   const QString verb = Document::tr("Import");
-  last.perform({verb, ImportPlacement(), [&document, preview, verb](const std::any& placement) {
-                  preview->placement = std::any_cast<ImportPlacement>(placement);
-                  const std::size_t before = document.medium().size();
-                  add_gaussians(document, placed(preview->gaussians, preview->placement), verb);
-                  const auto added = document.medium().ids().subspan(before);
-                  preview->ids.assign(added.begin(), added.end());
-                }});
-  QObject::connect(
-      &last, &LastOperation::changed, &document, [preview] { preview->is_last_operation = false; },
-      Qt::SingleShotConnection);
-  on_change(document, Change::scene, &document, [preview] { preview->ids.clear(); });
+  document.last_operation().perform(
+      {verb, ImportPlacement(), [&document, preview, verb](const std::any& placement) {
+         preview->placement = std::any_cast<ImportPlacement>(placement);
+         const Medium& medium = document.medium();
+         const std::size_t first = medium.size();
+         add_gaussians(document, placed(preview->gaussians, preview->placement), verb);
+         const auto ids = medium.ids().subspan(first);
+         preview->ids.assign(ids.begin(), ids.end());
+         preview->added.clear();
+         for (std::size_t i = first; i < medium.size(); ++i) {
+           preview->added.push_back(medium.gaussian(i));
+         }
+       }});
+  preview->is_last_operation = true;
 }
 
-void refine_preview(Document& document, VolumePreview& preview,
+void follow_preview(Document& document, const std::shared_ptr<VolumePreview>& preview,
+                    QObject* receiver, const std::function<void()>& gone) {
+  QObject::connect(&document.last_operation(), &LastOperation::changed, receiver,
+                   [preview] { preview->is_last_operation = false; });
+  on_change(document, Change::scene, receiver, gone);
+  on_change(document, Change::medium, receiver, [&document, preview, gone] {
+    // An adjustment takes it back for a moment.
+    if (preview->ids.empty() || document.last_operation().is_adjusting()) return;
+    if (is_gone(document, *preview)) gone();
+  });
+}
+
+bool refine_preview(Document& document, VolumePreview& preview,
                     const std::vector<Gaussian>& gaussians) {
-  std::erase_if(preview.ids, [&](GaussianId id) { return !document.medium().index_of(id); });
-  if (preview.ids.empty()) return;
+  if (is_gone(document, preview)) return true;
+  if (!is_as_added(document, preview)) return false;
   preview.gaussians = gaussians;
-  if (preview.is_last_operation) return document.last_operation().adjust(preview.placement);
-  replace_gaussians(document, preview.ids, placed(gaussians, preview.placement),
-                    Document::tr("Refine %1").arg(gaussians_text(preview.ids.size())));
+  if (preview.is_last_operation) {
+    adjust_preview(document, preview);
+  } else {
+    replace_gaussians(document, preview.ids, placed(gaussians, preview.placement),
+                      Document::tr("Refine %1").arg(gaussians_text(preview.ids.size())));
+  }
+  return true;
 }
 
 }  // namespace brume

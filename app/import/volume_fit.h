@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -9,6 +10,8 @@
 #include "brume/medium_sequence.h"
 #include "core/fit/volume_fitter.h"
 #include "render/util/job.h"
+
+class QObject;
 
 namespace brume {
 
@@ -24,20 +27,25 @@ std::vector<SequenceFrame> fit_volumes(const std::vector<std::filesystem::path>&
 
 // A volume that is in the document as it was fitted first, until it is as was asked for.
 struct VolumePreview {
-  explicit VolumePreview(std::vector<Gaussian> fitted) : gaussians(std::move(fitted)) {}
-
-  std::vector<Gaussian> gaussians;
+  std::vector<Gaussian> gaussians;  // before they are placed
   ImportPlacement placement;
-  std::vector<GaussianId> ids;
-  bool is_last_operation = true;
+  std::vector<GaussianId> ids;  // in the document; none until it is shown
+  std::vector<Gaussian> added;  // as they were in the document at first
+  bool is_last_operation = false;
 };
 
-// Adds it as the last operation, whose numbers can be adjusted while the volume is fitted.
+// Adds it as the last operation, whose numbers can be adjusted while the volume is fitted. Nothing
+// is added if there is no room.
 void show_preview(Document& document, const std::shared_ptr<VolumePreview>& preview);
 
+// Calls `gone` when a preview that was shown is there no more, or another scene is. `receiver`: as
+// long as it lives.
+void follow_preview(Document& document, const std::shared_ptr<VolumePreview>& preview,
+                    QObject* receiver, const std::function<void()>& gone);
+
 // Puts other Gaussians in its place: within its undo step if nothing else was done since, else as
-// one of their own. Nothing is done if it is gone.
-void refine_preview(Document& document, VolumePreview& preview,
+// one of their own. False: nothing is done because the preview was edited, hidden or locked.
+bool refine_preview(Document& document, VolumePreview& preview,
                     const std::vector<Gaussian>& gaussians);
 
 }  // namespace brume

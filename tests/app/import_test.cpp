@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "app/commands/edit_medium.h"
+#include "app/commands/select_command.h"
 #include "app/document/timeline.h"
 #include "app/files/scene_files.h"
 #include "app/import/folder_dialog.h"
@@ -19,6 +20,7 @@
 #include "app/window/pages/message_bar.h"
 #include "brume/at_time.h"
 #include "brume/error.h"
+#include "core/io/disk/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/scene/scene_file.h"
 #include "core/io/volume/volume_file.h"
@@ -66,6 +68,15 @@ void write_fire(const fs::path& file, double albedo) {
   medium.append({{0, 0, 0}, 0.5, 1.0, {glm::dvec3(1.0, albedo, 0.25), glm::dvec3(3.0, 2.0, 1.0)}});
   const MediumSampling plan = *MediumSampling::plan(medium, 0.125, 100'000);
   write_volume(file, *plan.sample(), false, *plan.sample_colors(glm::dvec3(1.0)));
+}
+
+// Other types of grids, by names that are as long.
+void rename_type(const fs::path& file, const std::string& type, const std::string& other) {
+  std::string bytes = read_bytes(file);
+  for (std::size_t i = bytes.find(type); i != std::string::npos; i = bytes.find(type)) {
+    bytes.replace(i, type.size(), other);
+  }
+  write_text(file, bytes);
 }
 
 std::size_t files_in(const fs::path& folder) {
@@ -228,6 +239,43 @@ class ImportTest : public QObject {
     QVERIFY(document.medium().gaussian(5) == fitted->front());
   }
 
+  void an_up_axis_that_was_chosen_stays_with_another_grid() {
+    FileDesk desk;
+    drop(desk, {smoke});
+    auto* dialog = shown<VolumeDialog>(desk);
+    QVERIFY(dialog);
+    auto* up = dialog->findChild<QComboBox*>("volume_up");
+    QCOMPARE(up->currentIndex(), 0);
+    QTest::keyClick(up, Qt::Key_Down);
+    QCOMPARE(up->currentIndex(), 1);
+    auto* grids = dialog->findChild<QTreeWidget*>("volume_grid");
+    const QTreeWidgetItem* first = grids->currentItem();
+    QTest::keyClick(grids, first == grids->topLevelItem(0) ? Qt::Key_Down : Qt::Key_Up);
+    QVERIFY(grids->currentItem() != first);
+    QCOMPARE(up->currentIndex(), 1);
+  }
+
+  void a_volume_without_numbers_says_why_it_is_not_imported() {
+    FileDesk desk;
+    const fs::path file = desk.file("fire.vdb");
+    write_fire(file, 0.5);
+    rename_type(file, "Tree_float_5_4_3", "Tree_funny_5_4_3");
+    drop(desk, {file});
+    auto* dialog = shown<VolumeDialog>(desk);
+    QVERIFY(dialog);
+    auto* grids = dialog->findChild<QTreeWidget*>("volume_grid");
+    for (int k = 0; k < grids->topLevelItemCount(); ++k) {
+      QVERIFY(grids->topLevelItem(k)->isDisabled());
+    }
+    QVERIFY(!dialog->findChild<QPushButton*>("import_volume")->isEnabled());
+    QVERIFY(dialog->findChild<QLabel*>("volume_problem")->text().contains("one number per voxel"));
+    const auto text = [&](const char* name) {
+      return grids->findItems(name, Qt::MatchExactly).at(0)->text(3);
+    };
+    QTRY_COMPARE(text("density"), "–");  // no numbers
+    QVERIFY2(text("albedo").contains(" to "), qPrintable(text("albedo")));
+  }
+
   void colours_and_flames_of_a_volume_come_in_as_the_dialog_says() {
     FileDesk desk;
     Document& document = desk.document();
@@ -318,14 +366,84 @@ class ImportTest : public QObject {
     QCOMPARE(last_step(document), "Refine 100 Gaussians");
     QVERIFY(!document.medium().index_of(1));
     QVERIFY(document.medium().gaussian(4) == refined);
+  }
 
-    // A preview that was undone does not come back.
-    document.undo_stack().setIndex(0);
-    desk.import().import_volume(smoke, how);
-    QTRY_VERIFY(document.medium().size() > 5);
-    document.undo_stack().undo();
-    QCOMPARE(wait(desk), "");
-    QCOMPARE(document.medium().size(), 5u);
+  void a_refined_preview_leaves_alone_what_is_selected_meanwhile() {
+    VolumeFit how;
+    how.options.count = 100;
+    const ObjectRef light{ObjectRef::Kind::light, 0};
+    {
+      FileDesk desk;
+      Document& document = desk.document();
+      desk.import().import_volume(smoke, how);
+      QTRY_VERIFY(document.medium().size() > 5);
+      select_gaussians(document, {1});
+      QCOMPARE(wait(desk), "");
+      QCOMPARE(last_step(document), "Refine 100 Gaussians");
+      QCOMPARE(document.selection(), std::vector<GaussianId>{1});
+    }
+    for (const bool is_last_operation : {true, false}) {
+      FileDesk desk;
+      Document& document = desk.document();
+      desk.import().import_volume(smoke, how);
+      QTRY_VERIFY(document.medium().size() > 5);
+      if (!is_last_operation) set_homogeneous_density(document, 0.25, no_merge);
+      document.set_object(light);
+      const std::size_t selected = document.selection().size();
+      QCOMPARE(wait(desk), "");
+      QVERIFY(document.object() == light);
+      QCOMPARE(document.selection().size(), selected);
+      QCOMPARE(document.medium().size(), 105u);
+    }
+  }
+
+  void a_preview_that_was_edited_or_hidden_stays() {
+    VolumeFit how;
+    how.options.count = 100;
+    const std::vector<std::function<void(Document&)>> changes{
+        [](Document& d) {
+          const std::vector<GaussianId> one{d.medium().ids()[7]};
+          set_attribute(d, one, GaussianAttribute::radius, 0.75);
+        },
+        [](Document& d) { d.hide({d.medium().ids()[7]}); },
+        [](Document& d) { d.lock({d.medium().ids()[7]}); },
+        [](Document& d) {
+          d.select({d.medium().ids()[7]});
+          delete_selection(d, "Delete");
+        }};
+    for (const auto& change : changes) {
+      FileDesk desk;
+      QSignalSpy warned(&desk.import(), &SceneImport::warned);
+      desk.import().import_volume(smoke, how);
+      QTRY_VERIFY(desk.document().medium().size() > 5);
+      QVERIFY(desk.job().is_running());
+      change(desk.document());
+      const Medium changed = desk.document().medium();
+      QCOMPARE(wait(desk), "");
+      QVERIFY(desk.document().medium() == changed);
+      QCOMPARE(warned.size(), 1);
+      QVERIFY(warned[0][0].toString().contains("smoke_0025.vdb"));
+    }
+  }
+
+  void a_fit_ends_with_its_preview() {
+    VolumeFit how;
+    how.options.count = 100'000;  // takes minutes
+    const auto ends = [&](const std::function<void(FileDesk&)>& act, const Scene& scene) {
+      FileDesk desk(scene);
+      QSignalSpy cancelled(&desk.job(), &BackgroundJob::cancelled);
+      desk.import().import_volume(smoke, how);
+      act(desk);
+      QVERIFY(cancelled.size() == 1 || cancelled.wait(patience));
+      QCOMPARE(desk.document().medium().size(), scene.medium.size());
+    };
+    ends(
+        [](FileDesk& desk) {
+          QTRY_VERIFY(desk.document().medium().size() > 5);
+          desk.document().undo_stack().undo();
+        },
+        small_scene());
+    ends([](FileDesk& desk) { desk.document().open({small_scene(), {}}, {}); }, small_scene());
   }
 
   void a_cancelled_fit_leaves_its_preview() {
