@@ -1,6 +1,7 @@
 #include "app/export/export_frames.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -34,8 +35,9 @@ void export_frames(int first, int last, const Job& job, const ExportFrame& make,
     return make(frame, frame - first, count);
   };
   steps.skips = [&](int frame) { return complete.contains(frame); };
+  const auto first_made = std::ranges::find_if_not(frames, steps.skips);
   steps.failed = [&](int frame, const std::string& why) {
-    if (frame == first) throw std::runtime_error(why);
+    if (frame == *first_made) throw std::runtime_error(why);
   };
   const FrameLoop::Result result = FrameLoop::run(frames, steps);
   if (job.stop.stop_requested()) throw Cancelled();

@@ -37,11 +37,20 @@ class Exporter {
                 request_.file.empty() ? request_.file : numbered_file(request_.file, number);
             return writing(file, numbered_frame(number, k, count), number);
           },
-          request_.complete);
+          written_frames());
     }
   }
 
  private:
+  // Those of an earlier start whose files are still there: who removes one wants it anew.
+  [[nodiscard]] std::set<int> written_frames() const {
+    std::set<int> frames = request_.complete;
+    std::erase_if(frames, [&](int number) {
+      return !std::filesystem::is_regular_file(numbered_file(request_.file, number));
+    });
+    return frames;
+  }
+
   // The k-th of `count` frames.
   Frame frame(double time, const QString& title, int k, int count) {
     QElapsedTimer timer;

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QTreeWidget>
+#include <fstream>
 #include <numeric>
 
 #include "app/commands/edit_medium.h"
@@ -343,7 +344,7 @@ class OutputTest : public QObject {
     QCOMPARE(list->topLevelItemCount(), 2);
   }
 
-  void failed_frames_are_rendered_again_and_only_these() {
+  void failed_and_removed_frames_are_rendered_again_and_only_these() {
     TestWindow window(tiny_scene());
     RenderQueue& renders = queue(window);
     FrameExportRequest request;
@@ -359,9 +360,26 @@ class OutputTest : public QObject {
     fs::remove(window.file("f_0002.png"));
     click(window, "queue_resume");
     QVERIFY(wait_for(renders, RenderQueue::State::done));
-    QCOMPARE(renders.find(id)->rendered, 1);
+    QCOMPARE(renders.find(id)->rendered, 2);
     QVERIFY(fs::is_regular_file(window.file("f_0003.png")));
-    QVERIFY(!fs::exists(window.file("f_0002.png")));
+    QVERIFY(fs::is_regular_file(window.file("f_0002.png")));
+  }
+
+  // Else a full disk would cost all frames.
+  void a_resumed_sequence_ends_where_its_first_frame_fails() {
+    TestWindow window(tiny_scene());
+    RenderQueue& renders = queue(window);
+    FrameExportRequest request;
+    request.scene = std::make_shared<const Scene>(tiny_scene());
+    request.file = window.file("f.png");
+    request.range = {1, 4, 30.0};
+    request.complete = {1};
+    std::ofstream(window.file("f_0001.png")) << "there";
+    fs::create_directory(window.file("f_0002.png"));  // which cannot be replaced by a file
+    const int id = renders.add(request);
+    QVERIFY(wait_for(renders, RenderQueue::State::failed));
+    QCOMPARE(renders.find(id)->request.complete, std::set{1});
+    QVERIFY(!fs::exists(window.file("f_0004.png")));
   }
 
   void waiting_renders_change_places() {
