@@ -25,7 +25,7 @@ inline constexpr int max_shadow_cells = 1024;
 
 // Resolution of the grid of environment light in the medium; see SourceGrid.
 struct SourceGridSize {
-  int nodes = 80'000;   // maximum, >= 108
+  int nodes = 80'000;   // maximum, > 8
   int directions = 96;  // maximum
 
   bool operator==(const SourceGridSize&) const = default;

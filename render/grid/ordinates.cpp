@@ -40,7 +40,10 @@ void scattered_along(const glm::dvec3& w, const NodeLight& incident, std::span<c
 }
 
 SweepOcclusion occlusion_of(const GridMedium& medium) {
-  return medium.surfaces ? medium.surfaces->sweep() : SweepOcclusion();
+  if (!medium.surfaces) return {};
+  SweepOcclusion occlusion = medium.surfaces->sweep();
+  occlusion.ends_within = medium.holds_surfaces;
+  return occlusion;
 }
 
 // Calls exchange(node, its next along an axis) for all neighbours of a grid that see each other.

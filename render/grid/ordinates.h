@@ -59,6 +59,7 @@ struct GridMedium {
   double fog = 0.0;                         // that only attenuates [1/u]
   bool continues = false;                   // beyond the grid, which other levels hold; else empty
   const GridOcclusion* surfaces = nullptr;  // between the nodes; null: none
+  bool holds_surfaces = false;              // all of them: none reaches the grid's border
   std::span<const float> albedo{};          // factor of what each node scatters; empty: 1
   bool is_fog_alone = false;                // without Gaussians
   std::optional<EndlessFog> beyond{};       // sends back a part of the light that leaves the grid

@@ -56,6 +56,7 @@ struct SweepOcclusion {
   std::span<const OccludedNode> nodes;
   std::span<const float> fractions;  // per hidden neighbour, of the way to it
   std::span<const float> passing;    // the same, share of light that panes let through; empty: none
+  bool ends_within = false;          // no surface reaches the grid's border
   // Whether a grid node sees what light comes from, beyond the grid; empty: only nodes tell.
   std::function<bool(std::size_t node)> is_lit;
 

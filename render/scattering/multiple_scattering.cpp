@@ -328,6 +328,7 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
                      .density = extinctions.back(),
                      .continues = !is_outermost || beyond,
                      .surfaces = level.surfaces.get(),
+                     .holds_surfaces = level.holds_surfaces,
                      .albedo = level.albedo,
                      .is_fog_alone = std::ranges::all_of(level.density, is_zero),
                      .beyond = beyond});
@@ -377,8 +378,8 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
         around.surfaces = nullptr;
         light.reflected.clear();
       }
-      outer.insert(outer.begin(),
-                   {around, std::move(light.incident), std::move(light.reflected), *finer.inflow});
+      outer.insert(outer.begin(), {around, std::move(light.incident), std::move(light.reflected),
+                                   Resampling(level.first, level.nodes, finer.first, finer.nodes)});
     }
     if (outside) add(outside->values, scattered.values);
     if (own) add(own->incident.values, scattered.values);

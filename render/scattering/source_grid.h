@@ -15,7 +15,6 @@
 #include "render/geometry/medium_index.h"
 #include "render/grid/grid_occlusion.h"
 #include "render/grid/ordinates.h"
-#include "render/grid/resampling.h"
 #include "render/grid/sweep_kernels.h"
 #include "render/lights/distant_lights.h"
 #include "render/lights/emission_lights.h"
@@ -108,9 +107,6 @@ class SourceGrid {
     NodeLight transmitted;
     std::vector<float> reflected;
     std::shared_ptr<const GridOcclusion> surfaces;  // null: none
-    // To its border from the level around it, as far as surfaces do not come between; the coarsest
-    // has none.
-    std::optional<Resampling> inflow;
     // It has all surfaces within it: on the way to its border there are none.
     bool holds_surfaces = false;
 

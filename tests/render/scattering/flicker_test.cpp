@@ -39,8 +39,7 @@ std::vector<double> shown_blocks(const Frame& frame, double white) {
 double max_flicker(const std::function<Scene(double)>& scene_at, int frames) {
   constexpr double white_over_mean = 5.0;
   Renderer renderer;
-  // Nodes farther apart than surfaces are wide show one by one when a light comes to see them.
-  Settings settings = all_orders(Settings{}.slices, {.nodes = 24'000, .directions = 48});
+  Settings settings = all_orders(Settings{}.slices);
   settings.samples = 64;  // else edges jump from pixel to pixel
   double white = 0.0;
   double flicker = 0.0;
@@ -89,21 +88,6 @@ TEST(Flicker, OfAMovingLightIsInvisible) {
       [](double t) {
         Scene scene = light_over_a_ground();
         scene.lights[0].position += glm::dvec3(0.1 * t, 0.05 * t, 0.05 * t);
-        return scene;
-      },
-      12);
-  EXPECT_LT(flicker, invisible);
-}
-
-TEST(Flicker, OfADriftingCloudIsInvisible) {
-  const Scene cloud = cloud_scene(40, 2.0);
-  const double flicker = max_flicker(
-      [&cloud](double t) {
-        Scene scene = light_over_a_ground();
-        scene.medium = cloud.medium;
-        scene.medium.set_homogeneous_density(0.02);
-        for (glm::dvec3& center : scene.medium.columns().centers)
-          center += glm::dvec3(0.1 * t, 1.5, 0.0);
         return scene;
       },
       12);
