@@ -11,18 +11,12 @@
 namespace brume {
 
 std::vector<GaussianId> to_simplify(const Document& document) {
-  return to_simplify(document.medium(), document.selection(), document.all_hidden(),
-                     document.all_locked());
-}
-
-std::vector<GaussianId> to_simplify(const Medium& medium, std::span<const GaussianId> selection,
-                                    std::span<const GaussianId> hidden,
-                                    std::span<const GaussianId> locked) {
-  if (!selection.empty()) return {selection.begin(), selection.end()};
+  if (!document.selection().empty()) {
+    return {document.selection().begin(), document.selection().end()};
+  }
   std::vector<GaussianId> ids;
-  std::ranges::copy_if(medium.ids(), std::back_inserter(ids), [&](GaussianId id) {
-    return !std::ranges::binary_search(hidden, id) && !std::ranges::binary_search(locked, id);
-  });
+  std::ranges::copy_if(document.medium().ids(), std::back_inserter(ids),
+                       [&](GaussianId id) { return document.is_editable(id); });
   return ids;
 }
 

@@ -13,10 +13,6 @@ class Document;
 
 // The selected Gaussians, or all that are neither hidden nor locked.
 std::vector<GaussianId> to_simplify(const Document& document);
-// The same of a copy of the document, in other threads. `hidden` and `locked`: in order.
-std::vector<GaussianId> to_simplify(const Medium& medium, std::span<const GaussianId> selection,
-                                    std::span<const GaussianId> hidden,
-                                    std::span<const GaussianId> locked);
 
 Medium chosen_gaussians(const Medium& medium, std::span<const GaussianId> ids);
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QDialog>
-#include <QTimer>
 
 #include "app/commands/operation_numbers.h"
 #include "app/jobs/background_job.h"
@@ -23,15 +22,13 @@ class SimplifyDialog : public QDialog {
   void requested(const brume::SimplifyNumbers& numbers);
 
  private:
-  void try_out_later();
+  void show_count();
   void try_out();
-  void refuse(const QString& why);
 
   const Document& document_;
   SimplifyNumbers numbers_;
   QLabel* count_;
   QLabel* result_;
-  QTimer pause_;  // since the last change of the Gaussians
   BackgroundJob trial_{BackgroundJob::Policy::latest_wins};
 };
 
