@@ -166,7 +166,7 @@ std::optional<double> RenderQueue::seconds_left(const Item& item) const {
   if (!timed || timed->rendered == 0) return std::nullopt;
   const auto& range = item.request.range;
   const int frames = range ? range->last - range->first + 1 : 1;
-  // Of videos and pictures without a file only those of this run are known.
+  // Videos and pictures without a file begin anew: only frames of this run count.
   const auto complete = static_cast<int>(item.request.complete.size());
   const int left = std::max(0, frames - std::max(complete, item.rendered));
   return 1e-3 * timed->milliseconds / timed->rendered * left;

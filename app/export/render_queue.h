@@ -44,7 +44,7 @@ class RenderQueue : public QObject {
   int add(FrameExportRequest request);  // its id
   void cancel(int id);                  // what waits, at once
   void remove(int id);                  // cancels it first
-  // What failed, was cancelled or stopped, of the same scene: of a range, the frames that lack.
+  // Renders that failed, were cancelled or stopped go on: ranges with the frames that are missing.
   void resume(int id);
   // Moves one that waits before the one that waits before it, or after the next.
   void move(int id, bool sooner);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
+#include "brume/medium_sequence.h"
 #include "core/io/frame_pattern.h"
 
 namespace brume {
@@ -15,5 +17,10 @@ struct FrameRun {
 
 // The contiguous frames around a file. Throws InputError if it is no frame.
 FrameRun frames_around(const std::filesystem::path& file);
+
+// Writes the frames of a run as PLY files `names`, with their numbers, into a folder that is made
+// if it is not there. Throws InputError.
+MediumSequence write_sequence(const std::filesystem::path& names, const FrameRun& run,
+                              std::vector<SequenceFrame> frames);
 
 }  // namespace brume

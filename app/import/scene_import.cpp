@@ -454,19 +454,8 @@ void SceneImport::start_sequence(const FrameRun& run, const fs::path& folder, Ma
           const auto count = static_cast<std::size_t>(run.last - run.first) + 1;
           if (frames.size() != count || job.stop.stop_requested()) return {};
           // Only now, so that nothing is there of what was cancelled.
-          const auto to = FramePattern::parse(names.string());
-          if (!to) throw InputError(names, "", "is not a valid sequence name");
-          fs::create_directories(names.parent_path());
-          for (std::size_t k = 0; k < frames.size(); ++k) {
-            const std::string file = to->file_of(run.first + static_cast<int>(k));
-            write_gaussians(file, frames[k].gaussians, frames[k].ids);
-          }
-          MediumSequence sequence;
-          sequence.file = names;
-          sequence.first = run.first;
-          sequence.last = run.last;
-          sequence.frames = sequence_frames(std::move(frames));
-          return [this, sequence, text = lines_of(warnings)] {
+          return [this, sequence = write_sequence(names, run, std::move(frames)),
+                  text = lines_of(warnings)] {
             if (!text.isEmpty()) Q_EMIT warned(text);
             add_sequence(sequence);
           };

@@ -10,8 +10,8 @@ namespace brume {
 
 namespace {
 
-// What is left of `count` blocks or voxels when grids are made coarser until there are at most
-// `max_count`.
+// Grids of `count` blocks or voxels have so many when they are made coarser until there are at
+// most `max_count`.
 double coarsened(double count, double max_count) {
   while (count > max_count) count /= 8.0;
   return count;

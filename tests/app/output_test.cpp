@@ -40,6 +40,14 @@ bool wait_for(RenderQueue& queue, RenderQueue::State state) {
       [&] { return !queue.items().empty() && queue.items().back().state == state; }, patience);
 }
 
+FrameExportRequest four_frames(const fs::path& file) {
+  FrameExportRequest request;
+  request.scene = std::make_shared<const Scene>(tiny_scene());
+  request.file = file;
+  request.range = {1, 4, 30.0};
+  return request;
+}
+
 }  // namespace
 
 class OutputTest : public QObject {
@@ -347,10 +355,7 @@ class OutputTest : public QObject {
   void failed_and_removed_frames_are_rendered_again_and_only_these() {
     TestWindow window(tiny_scene());
     RenderQueue& renders = queue(window);
-    FrameExportRequest request;
-    request.scene = std::make_shared<const Scene>(tiny_scene());
-    request.file = window.file("f.png");
-    request.range = {1, 4, 30.0};
+    const FrameExportRequest request = four_frames(window.file("f.png"));
     fs::create_directory(window.file("f_0003.png"));  // which cannot be replaced by a file
     const int id = renders.add(request);
     QVERIFY(wait_for(renders, RenderQueue::State::failed));
@@ -369,10 +374,7 @@ class OutputTest : public QObject {
   void a_resumed_sequence_ends_where_its_first_frame_fails() {
     TestWindow window(tiny_scene());
     RenderQueue& renders = queue(window);
-    FrameExportRequest request;
-    request.scene = std::make_shared<const Scene>(tiny_scene());
-    request.file = window.file("f.png");
-    request.range = {1, 4, 30.0};
+    FrameExportRequest request = four_frames(window.file("f.png"));
     request.complete = {1};
     std::ofstream(window.file("f_0001.png")) << "there";
     fs::create_directory(window.file("f_0002.png"));  // which cannot be replaced by a file

@@ -68,7 +68,6 @@ class SimplifyTest : public QObject {
     select_gaussians(window.document(), {ids.begin(), ids.begin() + 100});
     SimplifyDialog& dialog = window.show();
     QCOMPARE(dialog.findChild<QLabel*>("simplify_count")->text(), "Merges 100 Gaussians, selected");
-    // What is left is said before.
     const auto* result = dialog.findChild<QLabel*>("simplify_result");
     QTRY_VERIFY2(result->text().startsWith("Leaves ") || result->text().startsWith("None "),
                  qPrintable(result->text()));
@@ -83,6 +82,20 @@ class SimplifyTest : public QObject {
     for (std::size_t i = 100; i < 301; ++i) {
       QVERIFY(window.document().medium().index_of(crowded_scene().medium.ids()[i]));
     }
+  }
+
+  void counts_again_when_the_fog_has_changed() {
+    SimplifyWindow window;
+    Document& document = window.document();
+    const auto* count = window.show().findChild<QLabel*>("simplify_count");
+    QCOMPARE(count->text(), "Merges all 301 Gaussians");
+    const auto ids = document.medium().ids();
+    document.hide({ids.begin(), ids.begin() + 40});
+    QTRY_COMPARE(count->text(), "Merges all 261 Gaussians");
+    add_gaussian(document, {{0, 1, 0}, 0.1, 1.0});
+    QTRY_COMPARE(count->text(), "Merges Gaussian, selected");
+    document.select({});
+    QTRY_COMPARE(count->text(), "Merges all 262 Gaussians");
   }
 
   void leaves_alone_what_is_locked_or_hidden() {

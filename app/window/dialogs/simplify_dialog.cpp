@@ -37,7 +37,12 @@ SimplifyDialog::SimplifyDialog(Document& document, QWidget* window)
     Q_EMIT requested(numbers_);
     accept();
   }));
-  on_change(document, Change::selection | Change::medium, this, &SimplifyDialog::show_count);
+  pause_.setSingleShot(true);
+  pause_.setInterval(300);
+  connect(&pause_, &QTimer::timeout, this, &SimplifyDialog::show_count);
+  on_change(document, Change::selection, this, &SimplifyDialog::show_count);
+  on_change(document, Change::medium | Change::hidden_or_locked, &pause_,
+            qOverload<>(&QTimer::start));
   show_count();
 }
 

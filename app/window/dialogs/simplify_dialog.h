@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QTimer>
 
 #include "app/commands/operation_numbers.h"
 #include "app/jobs/background_job.h"
@@ -29,6 +30,7 @@ class SimplifyDialog : public QDialog {
   SimplifyNumbers numbers_;
   QLabel* count_;
   QLabel* result_;
+  QTimer pause_;  // from a change of the fog: strokes change it again and again
   BackgroundJob trial_{BackgroundJob::Policy::latest_wins};
 };
 
