@@ -55,9 +55,7 @@ class GridOcclusion {
   [[nodiscard]] bool hides(std::size_t grid_node, std::uint32_t links,
                            const glm::vec3& offset) const;
   // For the kernels.
-  [[nodiscard]] SweepOcclusion sweep() const {
-    return {index_, nodes_, fractions_, passing_, false, {}};
-  }
+  [[nodiscard]] SweepOcclusion sweep() const { return {index_, nodes_, fractions_, passing_, {}}; }
   // Per blocked link of the kernels' nodes.
   [[nodiscard]] std::span<const Surfel> surfels() const { return surfels_; }
   [[nodiscard]] std::span<const OccludedNode> nodes() const { return nodes_; }
@@ -85,6 +83,7 @@ class LevelOcclusion {
  public:
   // Both must outlive this, until the next call.
   void set(const RayCaster& ray_caster, std::span<const Surface> surfaces);
+  [[nodiscard]] const RayCaster& ray_caster() const { return *ray_caster_; }
   [[nodiscard]] const Box& bounds() const { return ray_caster_->bounds(); }
   // Whether surfaces hide what is far away from a point. Thread-safe.
   [[nodiscard]] bool hide(const glm::dvec3& point, const glm::dvec3& direction) const {

@@ -8,7 +8,7 @@
 
 #include "core/math/spherical_harmonics.h"
 #include "render/grid/grid_occlusion.h"
-#include "render/grid/resampling.h"
+#include "render/grid/level_inflow.h"
 #include "render/grid/sweep_kernels.h"
 #include "render/util/job.h"
 
@@ -59,7 +59,6 @@ struct GridMedium {
   double fog = 0.0;                         // that only attenuates [1/u]
   bool continues = false;                   // beyond the grid, which other levels hold; else empty
   const GridOcclusion* surfaces = nullptr;  // between the nodes; null: none
-  bool holds_surfaces = false;              // all of them: none reaches the grid's border
   std::span<const float> albedo{};          // factor of what each node scatters; empty: 1
   bool is_fog_alone = false;                // without Gaussians
   std::optional<EndlessFog> beyond{};       // sends back a part of the light that leaves the grid
@@ -70,7 +69,7 @@ struct OuterLevel {
   GridMedium medium;
   NodeLight incident;
   std::vector<float> reflected;  // see reflected_light()
-  Resampling finer;              // to the nodes of the next finer level
+  const LevelInflow* inflow;     // at the border of the next finer level
 };
 
 // Bands of the Henyey-Greenstein phase function, from 0 on: g^l.

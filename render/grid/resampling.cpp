@@ -1,52 +1,47 @@
 #include "render/grid/resampling.h"
 
-#include <cstddef>
 #include <glm/common.hpp>
 
 namespace brume {
 
-Resampling::Resampling(const glm::dvec3& from_first, const GridNodes& from, const glm::dvec3& first,
-                       const GridNodes& nodes)
-    : from_(from),
-      nodes_(nodes),
-      scale_(static_cast<double>(nodes.spacing) / static_cast<double>(from.spacing)),
-      offset_((first - from_first) / static_cast<double>(from.spacing)) {}
+std::array<float, 8> Resampling::Cell::weights() const {
+  std::array<float, 8> weights{};
+  for (int i = 0; i < 8; ++i) {
+    const auto along = [&](int k) { return (i >> k & 1) != 0 ? place[k] : 1.0f - place[k]; };
+    weights[static_cast<std::size_t>(i)] = along(0) * along(1) * along(2);
+  }
+  return weights;
+}
 
-float Resampling::at(std::span<const float> values, const glm::ivec3& node) const {
-  const glm::dvec3 last(from_.count - 1);
+Resampling::Resampling(const NodeLayout& source, const NodeLayout& target)
+    : source_(source.nodes),
+      target_(target.nodes),
+      scale_(static_cast<double>(target.nodes.spacing) / static_cast<double>(source.nodes.spacing)),
+      offset_((target.first - source.first) / static_cast<double>(source.nodes.spacing)) {}
+
+Resampling::Cell Resampling::cell_of(const glm::ivec3& node) const {
+  const glm::dvec3 last(source_.count - 1);
   const glm::dvec3 x = glm::clamp(offset_ + scale_ * glm::dvec3(node), glm::dvec3(0.0), last);
-  const glm::ivec3 low = glm::min(glm::ivec3(x), from_.count - 2);
-  const glm::vec3 f(x - glm::dvec3(low));
-  const auto row = static_cast<std::size_t>(from_.count.x);
-  const std::size_t slab = row * static_cast<std::size_t>(from_.count.y);
-  const float* corner = values.data() + static_cast<std::size_t>(low.x) +
-                        static_cast<std::size_t>(low.y) * row +
-                        static_cast<std::size_t>(low.z) * slab;
-  const auto edge = [&](std::size_t k) { return glm::mix(corner[k], corner[k + 1], f.x); };
-  return glm::mix(glm::mix(edge(0), edge(row), f.y), glm::mix(edge(slab), edge(slab + row), f.y),
-                  f.z);
+  const glm::ivec3 low = glm::min(glm::ivec3(x), source_.count - 2);
+  return {node_index(source_, low), glm::vec3(x - glm::dvec3(low))};
+}
+
+std::array<std::size_t, 8> Resampling::corners() const {
+  std::array<std::size_t, 8> corners{};
+  for (int i = 0; i < 8; ++i) {
+    corners[static_cast<std::size_t>(i)] = node_index(source_, {i & 1, i >> 1 & 1, i >> 2});
+  }
+  return corners;
 }
 
 void Resampling::apply(std::span<const float> values, std::span<float> result) const {
-  std::size_t i = 0;
-  for (int z = 0; z < nodes_.count.z; ++z) {
-    for (int y = 0; y < nodes_.count.y; ++y) {
-      for (int x = 0; x < nodes_.count.x; ++x, ++i) result[i] = at(values, {x, y, z});
-    }
-  }
-}
-
-void Resampling::apply_to_border(std::span<const float> values, std::span<float> result) const {
-  const glm::ivec3 last = nodes_.count - 1;
-  std::size_t i = 0;
-  for (int z = 0; z <= last.z; ++z) {
-    for (int y = 0; y <= last.y; ++y) {
-      for (int x = 0; x <= last.x; ++x, ++i) {
-        const bool is_border =
-            x == 0 || y == 0 || z == 0 || x == last.x || y == last.y || z == last.z;
-        if (is_border) result[i] = at(values, {x, y, z});
-      }
-    }
+  const std::array<std::size_t, 8> all = corners();
+  for (std::size_t i = 0; i < target_.size(); ++i) {
+    const Cell cell = cell_of(node_coordinates(target_, i));
+    const std::array<float, 8> weights = cell.weights();
+    float sum = 0.0f;
+    for (std::size_t k = 0; k < 8; ++k) sum += weights[k] * values[cell.first + all[k]];
+    result[i] = sum;
   }
 }
 

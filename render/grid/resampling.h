@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "render/grid/node_layout.h"
 #include "render/grid/sweep_kernels.h"
 
 namespace brume {
@@ -11,19 +14,27 @@ namespace brume {
 // the border.
 class Resampling {
  public:
-  // The grids' first nodes lie at `from_first` and `first`.
-  Resampling(const glm::dvec3& from_first, const GridNodes& from, const glm::dvec3& first,
-             const GridNodes& nodes);
+  // The cell that a node lies in: the index of the first of the eight nodes around it, and how far
+  // it is from there [cells].
+  struct Cell {
+    std::size_t first;
+    glm::vec3 place;
 
+    // Weights of the eight nodes, x fastest.
+    [[nodiscard]] std::array<float, 8> weights() const;
+  };
+
+  // From the nodes of one grid to those of another.
+  Resampling(const NodeLayout& source, const NodeLayout& target);
+
+  [[nodiscard]] Cell cell_of(const glm::ivec3& node) const;
+  // The eight nodes of a cell, x fastest, from its first on.
+  [[nodiscard]] std::array<std::size_t, 8> corners() const;
   // At all nodes.
   void apply(std::span<const float> values, std::span<float> result) const;
-  // At the nodes of the border; leaves the others.
-  void apply_to_border(std::span<const float> values, std::span<float> result) const;
 
  private:
-  [[nodiscard]] float at(std::span<const float> values, const glm::ivec3& node) const;
-
-  GridNodes from_, nodes_;
+  GridNodes source_, target_;
   double scale_;
   glm::dvec3 offset_;
 };

@@ -103,12 +103,9 @@ void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, 
         });
       }
       each_occluded(occlusion, sweep, row, [&](std::size_t u, const OccludedNode& node) {
+        if (!inflow.empty() && entry.holds(u, sweep.columns)) return;
         float& here = light.now.row(v)[u];
         const Seen seen(occlusion, upwind, node, light.before, u, v);
-        if (occlusion.ends_within && !inflow.empty() && entry.holds(u, sweep.columns)) {
-          here *= seen.weight;
-          return;
-        }
         const float far = Seen(occlusion, upwind, node, b.before, u, v).mean();
         const float depth = 0.5f * sweep.length * (b.now.row(v)[u] + far);
         // Where the medium is dense it makes neighbours differ, too.

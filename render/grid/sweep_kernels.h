@@ -56,7 +56,6 @@ struct SweepOcclusion {
   std::span<const OccludedNode> nodes;
   std::span<const float> fractions;  // per hidden neighbour, of the way to it
   std::span<const float> passing;    // the same, share of light that panes let through; empty: none
-  bool ends_within = false;          // no surface reaches the grid's border
   // Whether a grid node sees what light comes from, beyond the grid; empty: only nodes tell.
   std::function<bool(std::size_t node)> is_lit;
 
@@ -65,10 +64,9 @@ struct SweepOcclusion {
 
 // transmittance[i] = exp(-optical depth) from node i along the unit vector w to the grid's border,
 // empty beyond; 0 behind surfaces. Unless `inflow` is empty, light that enters the grid arrives at
-// nodes of its border with inflow[i] in place of 1. But beside surfaces that reach the border, with
-// 1: coarser nodes behind these make inflow too dark there, by 4% in a tunnel. At the edges of
-// shadows beside surfaces, `is_lit` decides: from node to node, light through a window of a few
-// nodes loses a tenth at its edges. Thread-safe.
+// nodes of its border with inflow[i] in place of 1. At the edges of shadows beside surfaces,
+// `is_lit` decides: from node to node, light through a window of a few nodes loses a tenth at its
+// edges. Thread-safe.
 void sweep_transmittance(const GridNodes& nodes, std::span<const float> density, const glm::vec3& w,
                          const SweepOcclusion& occlusion, std::span<const float> inflow,
                          std::span<float> transmittance);

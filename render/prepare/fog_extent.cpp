@@ -109,6 +109,17 @@ double clearance(const RayCaster& surfaces, const glm::dvec3& position) {
   return nearest;
 }
 
+// The share of directions around a place that surfaces hide.
+double hidden_share(const RayCaster& surfaces, const glm::dvec3& place) {
+  double hidden = 0.0;
+  for (const SphereNode& node : sphere_rule(11)) {
+    if (surfaces.first_hit(place, node.direction)) hidden += node.weight;
+  }
+  return hidden / (4.0 * std::numbers::pi);
+}
+
+constexpr double closed_share = 0.9;
+
 }  // namespace
 
 Box fog_bounds(double b0, std::span<const PointLight> lights, const glm::dvec3& eye) {
@@ -193,16 +204,14 @@ bool close_in(const RayCaster& surfaces, std::span<const glm::dvec3> lights) {
 }
 
 bool is_indoors(const RayCaster& surfaces, const glm::dvec3& place) {
-  constexpr double hidden_share = 0.75;
-  double hidden = 0.0;
-  for (const SphereNode& node : sphere_rule(11)) {
-    if (surfaces.first_hit(place, node.direction)) hidden += node.weight;
-  }
-  return hidden >= hidden_share * 4.0 * std::numbers::pi;
+  return hidden_share(surfaces, place) >= 0.75;
+}
+
+bool is_enclosed(const RayCaster& surfaces, const glm::dvec3& place) {
+  return hidden_share(surfaces, place) >= closed_share;
 }
 
 std::optional<Box> room_around(const RayCaster& surfaces, const glm::dvec3& place) {
-  constexpr double closed_share = 0.9;
   constexpr double corners = 1.5;  // no farther than so many times what is closed
   const double widest = longest_side(surfaces.bounds()) / 3.0;
   const std::vector<SphereNode> nodes = sphere_rule(11);

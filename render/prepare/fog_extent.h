@@ -74,6 +74,8 @@ bool close_in(const RayCaster& surfaces, std::span<const glm::dvec3> lights);
 std::optional<Box> room_around(const RayCaster& surfaces, const glm::dvec3& place);
 // Whether surfaces hide three quarters of the directions around a place.
 bool is_indoors(const RayCaster& surfaces, const glm::dvec3& place);
+// Whether they hide nine tenths of them.
+bool is_enclosed(const RayCaster& surfaces, const glm::dvec3& place);
 
 // The share of light from far away that homogeneous fog lets through to the middle of the scene, of
 // a scene with a directional light or an environment (see FogExtent); else 1.

@@ -175,8 +175,11 @@ LitSpace FrameStages::lit_space(const FrameContext& work) const {
     if (!has_fog && has_gaussians) return {{}, surfaces.bounds()};
     const bool is_lit_from_afar = work.fog_extent.has_far_light();
     // Then light is everywhere, and finest nodes are around Gaussians: a forest in mist was 8% too
-    // bright else.
-    if (is_lit_from_afar && has_gaussians) return {};
+    // bright else. A room is dark, and nodes as far apart as it is high see through its walls.
+    if (is_lit_from_afar && has_gaussians) {
+      if (!is_enclosed(surfaces, work.rays.eye())) return {};
+      return {room_around(surfaces, work.rays.eye()).value_or(surfaces.bounds())};
+    }
     std::vector<glm::dvec3> lights;
     for (const PointLight& light : work.plan.lights) {
       if (!light.is_far) lights.push_back(light.position);

@@ -53,10 +53,9 @@ class Levels {
 
   void add(const Box& box, double min_spacing, int nodes) {
     static const AxisPlanes none;
-    const bool keeps_off = content_.surfaces && volume(content_.lit.fog) > 0.0;
     if (layouts_.empty()) first_ = box;
     layouts_.push_back(lay_out(box.low, box.high, min_spacing, nodes,
-                               keeps_off ? content_.surfaces->planes() : none));
+                               content_.surfaces ? content_.surfaces->planes() : none));
     last_ = box;
   }
   // The box of a coarser level around the last one.

@@ -182,30 +182,28 @@ bool holds(const SourceGrid::Level& level, const glm::dvec3& p, double margin) {
          !glm::any(glm::greaterThan(p, high - margin));
 }
 
-// Removes what a level sends within the finer one. The medium at the outermost nodes there stays,
-// since what goes in at the border is interpolated between them and nodes outside: without it up to
-// half a cell of fog would be lost all around. But not beside surfaces, which may be between.
+// Removes what a level sends within the finer one. That of the outermost nodes there stays, since
+// what goes in at the border is interpolated between them and nodes outside: without it up to half
+// a cell of fog, and of floors that cross the border, would be lost all around.
 void remove_within(const SourceGrid::Level& finer, const SourceGrid::Level& level,
                    UnscatteredLight& light) {
   const double spacing = static_cast<double>(level.nodes.spacing);
-  const auto position = [&](std::size_t node) {
-    return level.first + spacing * glm::dvec3(node_coordinates(level.nodes, node));
+  const auto is_within = [&](std::size_t node) {
+    const glm::dvec3 place(node_coordinates(level.nodes, node));
+    return holds(finer, level.first + spacing * place, spacing);
   };
   NodeLight& incident = light.incident;
-  const auto darken = [&](std::size_t node) {
-    for (std::size_t row = 0; row < incident.channels * incident.functions(); ++row) {
-      incident.values[row * incident.stride + node] = 0.0f;
-    }
-  };
   for (std::size_t i = 0; i < level.nodes.size(); ++i) {
-    if (holds(finer, position(i), spacing)) darken(i);
+    if (!is_within(i)) continue;
+    for (std::size_t row = 0; row < incident.channels * incident.functions(); ++row) {
+      incident.values[row * incident.stride + i] = 0.0f;
+    }
   }
   if (!level.surfaces) return;
   const GridOcclusion& surfaces = *level.surfaces;
   const std::size_t links = surfaces.surfels().size();
   for (std::size_t i = 0; i < surfaces.nodes().size(); ++i) {
-    if (!holds(finer, position(surfaces.grid_nodes()[i]), 0.0)) continue;
-    darken(surfaces.grid_nodes()[i]);
+    if (!is_within(surfaces.grid_nodes()[i])) continue;
     for (std::size_t c = 0; c < incident.channels; ++c) {
       const std::size_t first = c * links + surfaces.nodes()[i].first;
       std::fill_n(light.reflected.begin() + static_cast<std::ptrdiff_t>(first),
@@ -328,7 +326,6 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
                      .density = extinctions.back(),
                      .continues = !is_outermost || beyond,
                      .surfaces = level.surfaces.get(),
-                     .holds_surfaces = level.holds_surfaces,
                      .albedo = level.albedo,
                      .is_fog_alone = std::ranges::all_of(level.density, is_zero),
                      .beyond = beyond});
@@ -378,8 +375,8 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
         around.surfaces = nullptr;
         light.reflected.clear();
       }
-      outer.insert(outer.begin(), {around, std::move(light.incident), std::move(light.reflected),
-                                   Resampling(level.first, level.nodes, finer.first, finer.nodes)});
+      outer.insert(outer.begin(),
+                   {around, std::move(light.incident), std::move(light.reflected), &*finer.inflow});
     }
     if (outside) add(outside->values, scattered.values);
     if (own) add(own->incident.values, scattered.values);
@@ -394,7 +391,8 @@ NodeLight MultipleScattering::first_guess(std::size_t k, const SourceGrid::Level
                                           std::size_t channels) const {
   const std::optional<Solution>& last = solutions_[k];
   if (!last || last->scattered.bands != bands || last->scattered.channels != channels) return {};
-  return resampled(last->scattered, {last->first, last->nodes, level.first, level.nodes},
+  return resampled(last->scattered,
+                   Resampling({last->first, last->nodes}, {level.first, level.nodes}),
                    level.nodes.size(), {});
 }
 

@@ -10,7 +10,6 @@
 #include "core/math/special_functions.h"
 #include "core/math/spherical_harmonics.h"
 #include "render/grid/density_samples.h"
-#include "render/grid/resampling.h"
 #include "render/scattering/grid_layout.h"
 #include "render/simd/gaussian_kernels.h"
 
@@ -140,8 +139,7 @@ Transmitted transmitted_light(const SourceGrid::Level& level, const SourceGrid::
         around.resize(coarse->nodes.size());
         inflow.resize(nodes);
         sweep_transmittance(coarse->nodes, coarse->density, w, occlusion(*coarse), {}, around);
-        Resampling(coarse->first, coarse->nodes, level.first, level.nodes)
-            .apply_to_border(around, inflow);
+        level.inflow->apply(around, inflow);
       }
       const std::span<float> passes = std::span(transmittances).subspan(k * stride, nodes);
       sweep_transmittance(level.nodes, level.density, w, occlusion(level), inflow, passes);
@@ -275,6 +273,14 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
                                       content.surfaces->bounds());
     }
     if (content.emission) add_optics(gaussians, content, level, job);
+  }
+  for (std::size_t k = 0; k + 1 < levels_.size(); ++k) {
+    Level& level = levels_[k];
+    const Level& coarse = levels_[k + 1];
+    level.inflow.emplace(NodeLayout{coarse.first, coarse.nodes},
+                         NodeLayout{level.first, level.nodes});
+    if (!content.surfaces || level.holds_surfaces) continue;
+    level.inflow->see(content.surfaces->ray_caster(), coarse.surfaces->hidden(), job);
   }
   for (std::size_t k = 0; k < levels_.size(); ++k) {
     fill(levels_[k], k + 1 < levels_.size() ? &levels_[k + 1] : nullptr, lights, content, job);

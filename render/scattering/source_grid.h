@@ -14,6 +14,7 @@
 #include "render/geometry/fog_ball.h"
 #include "render/geometry/medium_index.h"
 #include "render/grid/grid_occlusion.h"
+#include "render/grid/level_inflow.h"
 #include "render/grid/ordinates.h"
 #include "render/grid/sweep_kernels.h"
 #include "render/lights/distant_lights.h"
@@ -107,6 +108,7 @@ class SourceGrid {
     NodeLight transmitted;
     std::vector<float> reflected;
     std::shared_ptr<const GridOcclusion> surfaces;  // null: none
+    std::optional<LevelInflow> inflow;              // from the level around it; none: the coarsest
     // It has all surfaces within it: on the way to its border there are none.
     bool holds_surfaces = false;
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "render/renderer.h"
 #include "tests/render/test_scenes.h"
 
@@ -71,6 +73,17 @@ TEST(Grounds, InDeepFogAreNearlyAsLightWithSmallThingsOnThemOrNot) {
   EXPECT_NEAR(alone, truth, 0.1 * truth);
   scene.surfaces.push_back(placed(Primitive::Shape::box, glm::dvec3(0.02), {0.0, 0.01, 0.0}));
   EXPECT_NEAR(mean_airlight(scene), alone, 0.05 * alone);
+}
+
+// Without fog levels are around the cloud alone, and most of the floor that lights it is beyond the
+// finest: this was 7% too dark.
+TEST(Grounds, ThatAreWideAndLightLightCloudsOverThem) {
+  Scene scene = cloud_scene(24, 0.5);
+  scene.film = {15, 12};
+  scene.surfaces = {wall(-0.4, 9.0, 0.9)};
+  const Frame truth = render_frame(scene, path_traced(512));
+  const Frame frame = render_frame(scene, all_orders(24, {.nodes = 20'000, .directions = 48}));
+  EXPECT_LT(std::abs(difference(frame.airlight, truth.airlight).bias), 0.025);
 }
 
 // An eye that stands on a ground sees none of the nodes below it, however far apart nodes are: rays
