@@ -25,15 +25,31 @@ NamedCamera* find(CameraList& list, const std::string& name) {
   return found == list.others.end() ? nullptr : &*found;
 }
 
+// `camera` has a name of its own.
+void add(Document& document, NamedCamera camera, const QString& text) {
+  CameraList list = camera_list(document);
+  if (list.others.size() >= limits::cameras) {
+    Q_EMIT document.refused(Document::tr("A scene has %1 cameras at most.").arg(limits::cameras));
+    return;
+  }
+  list.others.push_back(std::exchange(list.in_use, std::move(camera)));
+  set_scene_part(document, std::move(list), text);
+}
+
 }  // namespace
 
 void add_camera(Document& document, const Camera& camera) {
-  CameraList list = camera_list(document);
-  if (list.others.size() >= limits::cameras) return;
   const std::string name = free_camera_name(document.scene(), default_camera_name);
-  list.others.push_back(std::exchange(list.in_use, {name, camera, {}}));
-  set_scene_part(document, std::move(list),
-                 undo_text("Add camera %1").arg(QString::fromStdString(name)));
+  add(document, {name, camera, {}}, undo_text("Add camera %1").arg(QString::fromStdString(name)));
+}
+
+void duplicate_camera(Document& document, const QString& name) {
+  CameraList list = camera_list(document);
+  const NamedCamera* camera = find(list, name.toStdString());
+  if (!camera) return;
+  NamedCamera copy = *camera;
+  copy.name = free_camera_name(document.scene(), copy.name);
+  add(document, std::move(copy), undo_text("Duplicate camera %1").arg(name));
 }
 
 void use_camera(Document& document, const QString& name) {
@@ -61,7 +77,11 @@ void rename_camera(Document& document, const QString& name, const QString& new_n
 void delete_camera(Document& document, const QString& name) {
   CameraList list = camera_list(document);
   NamedCamera* camera = find(list, name.toStdString());
-  if (!camera || list.others.empty()) return;
+  if (!camera) return;
+  if (list.others.empty()) {
+    Q_EMIT document.refused(Document::tr("A scene keeps one camera."));
+    return;
+  }
   if (camera == &list.in_use) {
     list.in_use = std::move(list.others.front());
     list.others.erase(list.others.begin());

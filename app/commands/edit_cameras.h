@@ -15,9 +15,11 @@ class Document;
 // Adds a camera, which is then in use.
 void add_camera(Document& document, const Camera& camera);
 void use_camera(Document& document, const QString& name);
+// Adds a copy with its keyframes, which is then in use.
+void duplicate_camera(Document& document, const QString& name);
 // Surrounding spaces do not count. No change for an empty name; a taken one gets a number.
 void rename_camera(Document& document, const QString& name, const QString& new_name);
-// If it is in use, another one is then. No change if it is the only one.
+// If it is in use, another one is then. The only one is kept.
 void delete_camera(Document& document, const QString& name);
 
 // The camera in use with other values, and its keyframes of those that are there.

@@ -71,9 +71,9 @@ QWidget* scrolled(QWidget* panel) {
 }  // namespace
 
 Docks::Docks(const Workspace& work, FrameOutput& output, QMainWindow& window)
-    : QObject(&window), work_(work), window_(window) {
+    : QObject(&window), work_(work), output_(output), window_(window) {
   add_scene_panels();
-  add_frame_panels(output);
+  add_frame_panels();
   for (SceneForm* form : window_.findChildren<SceneForm*>()) {
     connect(form, &SceneForm::refused, this, work_.show_status);
   }
@@ -108,6 +108,8 @@ void Docks::add_scene_panels() {
   connect(medium, &MediumPanel::scattering_changed, &views, &ViewGrid::set_scattering);
   connect(gaussians, &GaussianPanel::refused, this, work_.show_status);
   connect(outliner, &Outliner::asked_for, this, &Docks::show_panel_of);
+  connect(outliner, &Outliner::look_through_asked, &views,
+          [&views] { views.perspective().camera_controller().look_through_scene_camera(); });
   outliner_ = add(tr("Outliner"), "outliner", outliner);
   gaussians_ = add(tr("Gaussians"), "gaussians", scrolled(gaussians));
   lights_ = add(tr("Lighting"), "lighting", scrolled(lights));
@@ -122,7 +124,7 @@ void Docks::add_scene_panels() {
   gaussians_->raise();
 }
 
-void Docks::add_frame_panels(FrameOutput& output) {
+void Docks::add_frame_panels() {
   ViewGrid& views = work_.views;
   QDockWidget* history = add(tr("History"), "history", history_view(work_.document.undo_stack()));
   auto* performance_panel =
@@ -142,7 +144,7 @@ void Docks::add_frame_panels(FrameOutput& output) {
   window_.tabifyDockWidget(performance, history);
   window_.tabifyDockWidget(performance, at_cursor);
   window_.tabifyDockWidget(performance, groups_);
-  output.add_docks(at_cursor);
+  output_.add_docks(at_cursor);
   performance->raise();
   window_.resizeDocks({gaussians_}, {400}, Qt::Horizontal);
   window_.resizeDocks({outliner_, gaussians_, performance}, {150, 420, 170}, Qt::Vertical);
@@ -203,6 +205,7 @@ void Docks::add_time_panels() {
 void Docks::show_panel_of(Outliner::Kind kind, std::size_t index) {
   using Kind = Outliner::Kind;
   if (kind == Kind::spline) return work_.tools.activate("spline");
+  if (kind == Kind::camera) return output_.show_camera();
   if (kind == Kind::light) work_.document.set_active_light(index);
   const bool is_surface = kind == Kind::surface || kind == Kind::node;
   QDockWidget* panel = kind == Kind::gaussians ? gaussians_

@@ -24,11 +24,12 @@ class Docks : public QObject {
  private:
   QDockWidget* add(const QString& title, const char* name, QWidget* panel);
   void add_scene_panels();
-  void add_frame_panels(FrameOutput& output);
+  void add_frame_panels();
   void add_time_panels();
   void show_panel_of(Outliner::Kind kind, std::size_t index);
 
   Workspace work_;
+  FrameOutput& output_;
   QMainWindow& window_;
   QDockWidget* outliner_ = nullptr;
   QDockWidget* gaussians_ = nullptr;

@@ -40,6 +40,7 @@ class FrameOutput : public QObject {
   // Lines over the camera's picture.
   [[nodiscard]] const QList<QAction*>& guide_actions() const { return guide_actions_; }
   [[nodiscard]] RenderQueue& queue() { return *queue_; }
+  void show_camera() { show_tab(1); }
   void show_queue() { show_tab(2); }
 
   // Asks for a file, and exports to it.

@@ -4,8 +4,10 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QMouseEvent>
 #include <QTimer>
 #include <QTreeWidgetItemIterator>
+#include <algorithm>
 
 #include "app/commands/edit_environment.h"
 #include "app/commands/edit_groups.h"
@@ -14,6 +16,7 @@
 #include "app/commands/edit_splines.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
+#include "app/panels/lists/camera_rows.h"
 #include "app/panels/lists/group_rows.h"
 #include "app/panels/lists/name_delegate.h"
 #include "app/panels/lists/node_rows.h"
@@ -56,6 +59,14 @@ Outliner::Kind kind_of(ObjectRef::Kind kind) {
   return Outliner::Kind::medium;
 }
 
+// Rows below others only: that of all cameras is of none.
+std::optional<std::size_t> index_of_kind(const QTreeWidgetItem* item, Outliner::Kind kind) {
+  if (!item || !item->parent() || item->data(0, kind_role).toInt() != static_cast<int>(kind)) {
+    return std::nullopt;
+  }
+  return item->data(0, index_role).toULongLong();
+}
+
 }  // namespace
 
 Outliner::Outliner(Document& document, QWidget* parent)
@@ -64,7 +75,8 @@ Outliner::Outliner(Document& document, QWidget* parent)
       groups_(new GroupRows(document, *this)),
       splines_(new SplineRows(document, *this)),
       nodes_(new NodeRows(document, *this,
-                          [](std::size_t surface) { return new_item({}, Kind::node, surface); })) {
+                          [](std::size_t surface) { return new_item({}, Kind::node, surface); })),
+      cameras_(new CameraRows(document, *this)) {
   setObjectName("outliner_tree");
   setHeaderHidden(true);
   setColumnCount(3);
@@ -86,6 +98,8 @@ Outliner::Outliner(Document& document, QWidget* parent)
     if (!splines_->is_current()) rebuild();
   });
   connect(splines_, &SplineRows::edit_asked, this, [this] { Q_EMIT asked_for(Kind::spline, 0); });
+  connect(cameras_, &CameraRows::in_use_changed, this, &Outliner::show_camera_in_use);
+  connect(cameras_, &CameraRows::look_through_asked, this, &Outliner::look_through_asked);
   on_change(document_, Change::medium, this, &Outliner::count_gaussians);
   on_change(document_, Change::object, this, &Outliner::follow_object);
   connect(this, &QTreeWidget::itemClicked, this, &Outliner::click);
@@ -102,6 +116,7 @@ void Outliner::rebuild() {
   const std::optional<ObjectRef> current = object_of(currentItem());
   const std::optional<GroupId> current_group = group_of(currentItem());
   const std::optional<SplineId> current_spline = spline_of(currentItem());
+  const std::optional<std::size_t> current_camera = camera_of(currentItem());
   const QSignalBlocker blocker(this);
   clear();
   nodes_->clear();
@@ -136,6 +151,9 @@ void Outliner::rebuild() {
     nodes_->add_to(*surfaces->child(static_cast<int>(k)), k);
   }
   addTopLevelItem(surfaces);
+  auto* cameras = new_item(tr("Cameras"), Kind::camera);
+  cameras_->add_rows(*cameras, [](std::size_t place) { return new_item({}, Kind::camera, place); });
+  addTopLevelItem(cameras);
   // Not all items: those without children would draw their icon as if it were checked.
   for (int k = 0; k < topLevelItemCount(); ++k) topLevelItem(k)->setExpanded(true);
   groups_->expand();
@@ -144,6 +162,7 @@ void Outliner::rebuild() {
   if (current) set_current(*current);
   if (current_group) set_current(Kind::group, *current_group);
   if (current_spline) set_current(Kind::spline, *current_spline);
+  if (current_camera) set_current(Kind::camera, std::min(*current_camera, scene.cameras.size()));
 }
 
 QTreeWidgetItem* Outliner::new_object_item(const ObjectRef& ref) {
@@ -163,17 +182,17 @@ QTreeWidgetItem* Outliner::new_object_item(const ObjectRef& ref) {
 }
 
 std::optional<GroupId> Outliner::group_of(const QTreeWidgetItem* item) {
-  if (!item || static_cast<Kind>(item->data(0, kind_role).toInt()) != Kind::group) {
-    return std::nullopt;
-  }
-  return static_cast<GroupId>(item->data(0, index_role).toULongLong());
+  const auto id = index_of_kind(item, Kind::group);
+  return id ? std::optional(static_cast<GroupId>(*id)) : std::nullopt;
 }
 
 std::optional<SplineId> Outliner::spline_of(const QTreeWidgetItem* item) {
-  if (!item || static_cast<Kind>(item->data(0, kind_role).toInt()) != Kind::spline) {
-    return std::nullopt;
-  }
-  return static_cast<SplineId>(item->data(0, index_role).toULongLong());
+  const auto id = index_of_kind(item, Kind::spline);
+  return id ? std::optional(static_cast<SplineId>(*id)) : std::nullopt;
+}
+
+std::optional<std::size_t> Outliner::camera_of(const QTreeWidgetItem* item) {
+  return index_of_kind(item, Kind::camera);
 }
 
 std::optional<ObjectRef> Outliner::object_of(const QTreeWidgetItem* item) {
@@ -202,10 +221,7 @@ void Outliner::set_current(const ObjectRef& ref) {
 
 void Outliner::set_current(Kind kind, std::size_t index) {
   for (QTreeWidgetItemIterator it(this); *it; ++it) {
-    if ((*it)->data(0, kind_role).toInt() == static_cast<int>(kind) &&
-        (*it)->data(0, index_role).toULongLong() == index) {
-      setCurrentItem(*it);
-    }
+    if (index_of_kind(*it, kind) == index) setCurrentItem(*it);
   }
 }
 
@@ -233,8 +249,17 @@ void Outliner::click(const QTreeWidgetItem* item, int column) {
     if (column != name_column) return;
   }
   if (const auto spline = spline_of(item)) return splines_->edit(*spline);
+  if (const auto camera = camera_of(item)) {
+    if (column == eye_column) return cameras_->look_through(*camera);
+    return cameras_->use(*camera);
+  }
   Q_EMIT asked_for(static_cast<Kind>(item->data(0, kind_role).toInt()),
                    item->data(0, index_role).toULongLong());
+}
+
+void Outliner::show_camera_in_use() {
+  set_current(Kind::camera, 0);
+  Q_EMIT asked_for(Kind::camera, 0);
 }
 
 void Outliner::rename(const QTreeWidgetItem* item, const QString& name) {
@@ -242,6 +267,8 @@ void Outliner::rename(const QTreeWidgetItem* item, const QString& name) {
     rename_group(document_, *group, name);
   } else if (const auto spline = spline_of(item)) {
     rename_spline(document_, *spline, name);
+  } else if (const auto camera = camera_of(item)) {
+    cameras_->rename(*camera, name);
   } else if (const auto ref = object_of(item)) {
     if (!brume::object_of(document_.scene(), *ref)) return;
     if (name != object_title(document_.scene(), *ref)) rename_object(document_, *ref, name);
@@ -265,10 +292,11 @@ bool Outliner::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto& key = static_cast<const QKeyEvent&>(*event);
     const bool is_object = object_of(currentItem()).has_value();
+    const bool is_camera = camera_of(currentItem()).has_value();
     const bool is_group = group_of(currentItem()) || spline_of(currentItem());
-    if (((is_object || is_group) && is_key_of("edit.delete", key)) ||
-        (is_object && is_key_of("edit.duplicate", key)) ||
-        (is_group && is_key_of("edit.rename", key))) {
+    if (((is_object || is_camera || is_group) && is_key_of("edit.delete", key)) ||
+        ((is_object || is_camera) && is_key_of("edit.duplicate", key)) ||
+        ((is_camera || is_group) && is_key_of("edit.rename", key))) {
       event->accept();
       return true;
     }
@@ -292,7 +320,19 @@ void Outliner::keyPressEvent(QKeyEvent* event) {
     if (is_key_of("edit.delete", *event)) return delete_spline(document_, *spline);
     if (is_key_of("edit.rename", *event)) return editItem(currentItem(), name_column);
   }
+  if (const auto camera = camera_of(currentItem())) {
+    if (is_key_of("edit.delete", *event)) return cameras_->remove(*camera);
+    if (is_key_of("edit.duplicate", *event)) return cameras_->duplicate(*camera);
+    if (is_key_of("edit.rename", *event)) return editItem(currentItem(), name_column);
+  }
   QTreeWidget::keyPressEvent(event);
+}
+
+// A click that uses a camera makes its row anew, so that Qt takes the second one for another first.
+void Outliner::mouseDoubleClickEvent(QMouseEvent* event) {
+  const QModelIndex index = indexAt(event->position().toPoint());
+  if (index.column() == name_column && camera_of(itemFromIndex(index))) return edit(index);
+  QTreeWidget::mouseDoubleClickEvent(event);
 }
 
 void Outliner::contextMenuEvent(QContextMenuEvent* event) {
@@ -302,19 +342,16 @@ void Outliner::contextMenuEvent(QContextMenuEvent* event) {
       ref ? brume::object_of(document_.scene(), *ref) : std::nullopt;
   const std::optional<GroupId> group = group_of(item);
   const std::optional<SplineId> spline = spline_of(item);
-  if (!object && !group && !spline) return;
+  const std::optional<std::size_t> camera = camera_of(item);
+  if (!object && !group && !spline && !camera) return;
   setCurrentItem(item);
   if (ref && ref->node) return document_.set_object(ref);
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  if (group) {
-    groups_->fill_menu(*menu, *group);
-    return menu->popup(event->globalPos());
-  }
-  if (spline) {
-    splines_->fill_menu(*menu, *spline);
-    return menu->popup(event->globalPos());
-  }
+  if (group) groups_->fill_menu(*menu, *group);
+  if (spline) splines_->fill_menu(*menu, *spline);
+  if (camera) cameras_->fill_menu(*menu, *camera);
+  if (!object) return menu->popup(event->globalPos());
   document_.set_object(ref);
   const bool shown = is_shown(*object);
   const bool locked = is_locked(*object);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/commands/edit_cameras.h"
 #include "app/commands/edit_emitters.h"
 #include "app/commands/edit_medium.h"
 #include "app/commands/edit_objects.h"
@@ -58,6 +59,11 @@ void ObjectMenu::fill_add_menu(QMenu& menu) {
   add_light_action(tr("&Disk Light"), "light.disk", light::Disk());
   add_light_action(tr("Sp&here Light"), "light.sphere", light::Sphere());
   menu.addSeparator();
+  add_action(&menu, tr("&Camera"), "add.camera", this, [this] {
+    work_.document.set_object(std::nullopt);
+    add_camera(work_.document, work_.views.perspective().camera());
+    window_.findChild<Outliner*>()->show_camera_in_use();
+  });
   add_action(&menu, tr("&Gaussian"), "edit.add_gaussian", this, [this] { add_gaussian_in_view(); });
   add_action(&menu, tr("&Emitter"), "add.emitter", this, [this] {
     Viewport& view = work_.views.pointed();

@@ -1,0 +1,163 @@
+// Cameras in the menu Add and as rows of the outliner.
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QTabWidget>
+#include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
+
+#include "app/commands/edit_cameras.h"
+#include "app/viewport/viewport.h"
+#include "app/widgets/value_field.h"
+#include "tests/app/desk.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+constexpr int icon_column = 1;
+
+QTreeWidget& tree(const QWidget& window) {
+  return *window.findChild<QTreeWidget*>("outliner_tree");
+}
+
+QTreeWidgetItem* row(const QWidget& window, const QString& name) {
+  for (QTreeWidgetItemIterator it(&tree(window)); *it; ++it) {
+    if ((*it)->text(0) == name) return *it;
+  }
+  return nullptr;
+}
+
+// The names of the rows below Cameras; that in use is in brackets.
+QStringList rows(const QWidget& window) {
+  QStringList names;
+  const QTreeWidgetItem* cameras = row(window, "Cameras");
+  for (int k = 0; cameras && k < cameras->childCount(); ++k) {
+    const QTreeWidgetItem* item = cameras->child(k);
+    names << (item->font(0).bold() ? '[' + item->text(0) + ']' : item->text(0));
+  }
+  return names;
+}
+
+void click_row(const QWidget& window, const QString& name, int column = 0) {
+  QTest::mouseClick(tree(window).viewport(), Qt::LeftButton, {},
+                    cell_position(tree(window), row(window, name), column));
+}
+
+// A second camera, which is not in use.
+Scene two_cameras() {
+  Scene scene = tiny_scene();
+  scene.cameras = {{"aside", Camera{.eye = {5, 0, 0}, .vertical_fov = 30.0}, {}}};
+  return scene;
+}
+
+}  // namespace
+
+class OutlinerCamerasTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void a_camera_is_added_by_the_menu_where_the_view_is() {
+    TestWindow window(tiny_scene());
+    const Scene before = window.scene();
+    QCOMPARE(rows(*window), QStringList{"[Camera]"});
+    click_row(*window, "Point 1");
+    window.drag({300, 300}, {380, 320}, Qt::MiddleButton);
+    const Camera seen = window.view().camera();
+    QVERIFY(seen != before.camera);
+    invoke(window, "add.camera");
+    QCOMPARE(step_count(window.document()), 1);
+    QCOMPARE(last_step(window.document()), "Add camera Camera 2");
+    QVERIFY(window.scene().camera == seen);
+    QCOMPARE(rows(*window), (QStringList{"Camera", "[Camera 2]"}));
+    // It is selected, and the light is not any more.
+    QCOMPARE(tree(*window).currentItem(), row(*window, "Camera 2"));
+    QVERIFY(!window.document().object());
+    QTRY_VERIFY(window->findChild<ValueField*>("camera_eye_x")->isVisible());
+    QVERIFY(is_undone(window.document(), before));
+    QCOMPARE(rows(*window), QStringList{"[Camera]"});
+  }
+
+  void a_click_uses_a_camera_and_shows_its_fields() {
+    TestWindow window(two_cameras());
+    QCOMPARE(rows(*window), (QStringList{"aside", "[Camera]"}));
+    click_row(*window, "aside");
+    QCOMPARE(rows(*window), (QStringList{"[aside]", "Camera"}));
+    QCOMPARE(tree(*window).currentItem(), row(*window, "aside"));
+    QTRY_VERIFY(window->findChild<ValueField*>("camera_eye_x")->isVisible());
+    QCOMPARE(value(window, "camera_eye_x"), "5");
+    QCOMPARE(last_step(window.document()), "Use camera aside");
+    // The row of a light that is selected later is the current one.
+    click_row(*window, "Point 1");
+    window.document().undo_stack().undo();
+    QCOMPARE(rows(*window), (QStringList{"aside", "[Camera]"}));
+    QCOMPARE(tree(*window).currentItem(), row(*window, "Point 1"));
+  }
+
+  void rows_look_through_their_cameras() {
+    TestWindow window(two_cameras());
+    const CameraController& view = window.view().camera_controller();
+    QVERIFY(!view.looks_through_scene_camera());
+    click_row(*window, "aside", icon_column);
+    QVERIFY(view.looks_through_scene_camera());
+    QCOMPARE(view.camera().eye.x, 5.0);
+    QCOMPARE(rows(*window), (QStringList{"[aside]", "Camera"}));
+    window.drag({300, 300}, {340, 300}, Qt::MiddleButton);
+    QVERIFY(!view.looks_through_scene_camera());
+    QTreeWidget& rows_of = tree(*window);
+    QVERIFY(choose_from_menu(*rows_of.viewport(), cell_position(rows_of, row(*window, "Camera")),
+                             "Look Through"));
+    QVERIFY(view.looks_through_scene_camera());
+    QVERIFY(view.camera() == tiny_scene().camera);
+    QCOMPARE(rows(*window), (QStringList{"aside", "[Camera]"}));
+  }
+
+  void cameras_are_renamed_duplicated_and_deleted_by_keys() {
+    Desk desk(two_cameras());
+    Document& document = desk.document();
+    QTreeWidget& rows_of = tree(desk);
+    rows_of.setFocus();
+    click_row(desk, "Camera");
+    QCOMPARE(step_count(document), 0);  // it is in use
+    QTest::keyClick(&rows_of, Qt::Key_F2);
+    auto* editor = rows_of.findChild<QLineEdit*>("row_name");
+    QVERIFY(editor);
+    QTest::keyClick(editor, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(editor, "A wide one");
+    QTest::keyClick(editor, Qt::Key_Return);
+    QTRY_COMPARE(rows(desk), (QStringList{"[A wide one]", "aside"}));
+    QCOMPARE(rows_of.currentItem(), row(desk, "A wide one"));
+
+    // A double click on one that is not in use, too.
+    const QPoint place = cell_position(rows_of, row(desk, "aside"));
+    QTest::mouseClick(rows_of.viewport(), Qt::LeftButton, {}, place);
+    QTest::mouseDClick(rows_of.viewport(), Qt::LeftButton, {}, place);
+    editor = rows_of.findChild<QLineEdit*>("row_name");
+    QVERIFY(editor);
+    QTest::keyClick(editor, Qt::Key_Escape);
+    document.undo_stack().undo();
+
+    QTest::keyClick(&rows_of, Qt::Key_D, Qt::ControlModifier);
+    QCOMPARE(last_step(document), "Duplicate camera A wide one");
+    QCOMPARE(rows(desk), (QStringList{"A wide one", "[A wide one 2]", "aside"}));
+    QCOMPARE(rows_of.currentItem(), row(desk, "A wide one 2"));
+    QTest::keyClick(&rows_of, Qt::Key_Down);
+    QTest::keyClick(&rows_of, Qt::Key_Delete);
+    QCOMPARE(rows(desk), (QStringList{"A wide one", "[A wide one 2]"}));
+    click_row(desk, "A wide one 2");
+    QTest::keyClick(&rows_of, Qt::Key_Delete);
+    QCOMPARE(rows(desk), QStringList{"[A wide one]"});
+    QSignalSpy refused(&document, &Document::refused);
+    QTest::keyClick(&rows_of, Qt::Key_Delete);
+    QCOMPARE(refused.size(), 1);
+    QVERIFY(!choose_from_menu(*rows_of.viewport(), cell_position(rows_of, row(desk, "A wide one")),
+                              "Delete"));
+    QVERIFY(choose_from_menu(*rows_of.viewport(), cell_position(rows_of, row(desk, "A wide one")),
+                             "Duplicate"));
+    QCOMPARE(rows(desk).size(), 2);
+  }
+};
+
+BRUME_APP_SUITE("outliner_cameras", OutlinerCamerasTest)
+#include "outliner_cameras_test.moc"
