@@ -1,9 +1,8 @@
 #include "app/export/video_file.h"
 
-#include <QStandardPaths>
-
 #include "app/document/number_text.h"
 #include "app/document/paths.h"
+#include "app/files/picture_format.h"
 #include "brume/error.h"
 #include "core/io/mp4_arguments.h"
 
@@ -13,10 +12,6 @@ namespace {
 constexpr int patience = 200;  // milliseconds until a stop token is looked at again
 
 }  // namespace
-
-QString find_ffmpeg() {
-  return QStandardPaths::findExecutable("ffmpeg");
-}
 
 VideoFile::VideoFile(const std::filesystem::path& shown, const std::filesystem::path& file,
                      const Film& film, double frames_per_second)

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QProcess>
-#include <QString>
 #include <filesystem>
 #include <span>
 #include <stop_token>
@@ -9,9 +8,6 @@
 #include "brume/camera.h"
 
 namespace brume {
-
-// Path of ffmpeg on the PATH, or empty.
-QString find_ffmpeg();
 
 // An MP4 file written by ffmpeg. Not thread-safe.
 class VideoFile {

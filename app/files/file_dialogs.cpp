@@ -19,9 +19,8 @@ QString dialog_text(const char* text) {
 }
 
 QString settings_key(FileKind kind) {
-  constexpr const char* names[]{"scene",  "import",  "picture",     "animation",
-                                "medium", "gather",  "environment", "material",
-                                "color",  "profile", "texture",     "missing"};
+  constexpr const char* names[]{"scene",    "import", "picture", "medium",  "gather", "environment",
+                                "material", "color",  "profile", "texture", "missing"};
   return QString("folders/") + names[static_cast<int>(kind)];
 }
 

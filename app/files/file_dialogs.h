@@ -14,7 +14,6 @@ enum class FileKind {
   scene,
   import,
   picture,
-  animation,
   medium,
   gather,
   environment,

@@ -1,5 +1,7 @@
 #include "app/files/picture_format.h"
 
+#include <QStandardPaths>
+
 #include "core/io/disk/file_bytes.h"
 #include "render/output/frame_file.h"
 
@@ -12,6 +14,10 @@ std::string picture_format(const std::filesystem::path& file) {
 std::filesystem::path with_picture_format(std::filesystem::path file, const std::string& format) {
   if (is_deep_file(file)) file.replace_extension();
   return file.replace_extension(format);
+}
+
+QString find_ffmpeg() {
+  return QStandardPaths::findExecutable("ffmpeg");
 }
 
 }  // namespace brume

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QString>
 #include <filesystem>
 #include <string>
 
@@ -9,5 +10,8 @@ namespace brume {
 std::string picture_format(const std::filesystem::path& file);
 // The file of another format.
 std::filesystem::path with_picture_format(std::filesystem::path file, const std::string& format);
+
+// Path of ffmpeg on the PATH, which writes .mp4, or empty.
+QString find_ffmpeg();
 
 }  // namespace brume

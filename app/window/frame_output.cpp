@@ -16,8 +16,6 @@
 #include "app/document/number_text.h"
 #include "app/document/paths.h"
 #include "app/document/timeline.h"
-#include "app/export/animation_dialog.h"
-#include "app/export/frame_dialog.h"
 #include "app/export/queue_list.h"
 #include "app/export/render_queue.h"
 #include "app/files/file_dialogs.h"
@@ -28,6 +26,7 @@
 #include "app/viewport/view_grid.h"
 #include "app/widgets/frame_text.h"
 #include "app/widgets/keys.h"
+#include "app/widgets/method_box.h"
 #include "app/widgets/rows.h"
 #include "app/window/camera_lock.h"
 #include "app/window/file_jobs.h"
@@ -173,20 +172,20 @@ QTabWidget* FrameOutput::make_tabs() {
   connect(cameras, &CameraPanel::look_through_asked_for, &view,
           [&view] { view.camera_controller().look_through_scene_camera(); });
 
-  auto* output = new OutputPanel(
+  output_ = new OutputPanel(
       work_.document, work_.timeline, [&view] { return view.frames().exposure(); }, actions_[0],
       actions_[1], &window_);
   CameraFrame& frame = view.camera_frame();
-  connect(output, &OutputPanel::clear_region_asked_for, actions_[3], &QAction::trigger);
-  connect(&frame, &CameraFrame::region_changed, output,
-          [&frame, output] { output->show_region(region_text(frame.region())); });
+  connect(output_, &OutputPanel::clear_region_asked_for, actions_[3], &QAction::trigger);
+  connect(&frame, &CameraFrame::region_changed, output_,
+          [&frame, this] { output_->show_region(region_text(frame.region())); });
   on_change(work_.document, Change::scene, &frame, [&frame] { frame.set_region(std::nullopt); });
 
   auto* queue = new QueueList(*queue_, &window_);
   connect(queue, &QueueList::show_asked_for, this, &FrameOutput::show_render);
   auto* tabs = named(new QTabWidget, "output_tabs");
   tabs->setDocumentMode(true);
-  tabs->addTab(scrolled_panel(output), tr("Picture"));
+  tabs->addTab(scrolled_panel(output_), tr("Picture"));
   tabs->addTab(scrolled_panel(cameras), tr("Camera"));
   tabs->addTab(queue, tr("Queue"));
   const auto count = [this, tabs] {
@@ -236,17 +235,23 @@ FrameExportRequest FrameOutput::output_request(bool animation) const {
   const Scene& scene = work_.document.scene();
   const Output& output = scene.output;
   FrameExportRequest request = view_request(output.file);
-  request.request.camera.reset();  // the scene's
+  if (!output_->renders_view()) request.request.camera.reset();  // the scene's
   if (const auto& region = work_.views.perspective().camera_frame().region()) {
     request.request.film = film_region(scene.film, {region->left(), region->top()},
                                        {region->right(), region->bottom()});
   }
   request.request.layers = output.layers;
-  if (output.paths && !is_deep_file(output.file)) {
-    trace_paths(request.request, *output.paths, output.denoise);
+  if (!is_deep_file(output.file)) {
+    if (output.paths) {
+      trace_paths(request.request, *output.paths, output.denoise);
+    } else if (work_.views.perspective().frames().mode() == ViewMode::path_traced) {
+      trace_paths(request.request, MethodBox::first_paths(Denoising::solved), Denoising::solved);
+    }
   }
+  request.info.bits = output_->png_bits();
   if (output.exposure) request.info.look.exposure = *output.exposure;
-  const QString camera = QString::fromStdString(scene.camera_name);
+  const QString camera =
+      output_->renders_view() ? tr("View") : QString::fromStdString(scene.camera_name);
   if (animation) {
     request.range = {work_.timeline.first(), work_.timeline.last(),
                      work_.timeline.frames_per_second()};
@@ -262,7 +267,10 @@ FrameExportRequest FrameOutput::output_request(bool animation) const {
 
 void FrameOutput::render(bool animation) {
   const FrameExportRequest request = output_request(animation);
-  if (animation && request.file.empty()) return ask_for_file();
+  if (animation && request.file.empty()) {
+    show_output();
+    return work_.show_status(tr("An animation needs a file: name it in the panel Output."));
+  }
   if (!request.file.empty() && !may_write(request.file, animation)) return;
   const int id = queue_->add(request);
   shown_render_ = id;
@@ -276,10 +284,14 @@ void FrameOutput::show_tab(int index) {
   tabs_->setCurrentIndex(index);
 }
 
-void FrameOutput::ask_for_file() {
+void FrameOutput::show_output() {
   show_tab(0);
-  tabs_->findChild<QLineEdit*>("output_file")->setFocus();
-  work_.show_status(tr("An animation needs a file: name it in the panel Output."));
+  auto* file = tabs_->findChild<QLineEdit*>("output_file");
+  for (QWidget* area = file; area; area = area->parentWidget()) {
+    if (auto* scroll = qobject_cast<QScrollArea*>(area)) scroll->ensureWidgetVisible(file);
+  }
+  file->setFocus();
+  file->selectAll();
 }
 
 // Asks once in a session for each file; its folder is made.
@@ -354,37 +366,6 @@ void FrameOutput::mark_region() {
   }
   if (!camera.looks_through_scene_camera()) camera.look_through_scene_camera();
   work_.views.perspective().camera_frame().start_marking();
-}
-
-void FrameOutput::export_frame() {
-  const bool path_traced = work_.views.perspective().frames().mode() == ViewMode::path_traced;
-  auto* dialog = new FrameDialog(work_.document.folder(), path_traced,
-                                 work_.document.scene().output.layers, &window_);
-  connect(dialog, &FrameDialog::requested, this, &FrameOutput::export_frame_to);
-  dialog->show();
-}
-
-void FrameOutput::export_frame_to(const std::filesystem::path& file, const Output& output,
-                                  int bits) {
-  FrameExportRequest request = view_request(file);
-  request.request.layers = output.layers;
-  request.info.bits = bits;
-  if (output.paths) trace_paths(request.request, *output.paths, output.denoise);
-  queue_->add(request);
-}
-
-void FrameOutput::export_animation() {
-  auto* dialog = new AnimationDialog(work_.timeline, work_.document.folder(), &window_);
-  connect(dialog, &AnimationDialog::requested, this, &FrameOutput::export_animation_to);
-  dialog->show();
-}
-
-void FrameOutput::export_animation_to(const std::filesystem::path& file, int first, int last) {
-  FrameExportRequest request = view_request(file);
-  request.range = {first, last, work_.timeline.frames_per_second()};
-  request.title = tr("View");
-  if (work_.document.scene().camera_keys != CameraKeys{}) request.request.camera.reset();
-  queue_->add(request);
 }
 
 FrameExportRequest FrameOutput::view_request(const std::filesystem::path& file) const {

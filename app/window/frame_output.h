@@ -21,12 +21,13 @@ class QTabWidget;
 namespace brume {
 
 class FileJobs;
+class OutputPanel;
 struct Picture;
 class PictureViewer;
 class RenderQueue;
 
-// Pictures and animations on their way to files and to the picture viewer: File > Export, the menu
-// Render, and the docks Output and Picture Viewer.
+// Pictures and animations on their way to files and to the picture viewer: the menu Render, and the
+// docks Output and Picture Viewer.
 class FrameOutput : public QObject {
   Q_OBJECT
  public:
@@ -40,18 +41,10 @@ class FrameOutput : public QObject {
   // Lines over the camera's picture.
   [[nodiscard]] const QList<QAction*>& guide_actions() const { return guide_actions_; }
   [[nodiscard]] RenderQueue& queue() { return *queue_; }
+  // The dock Output: where the file is named, the cameras, the queue.
+  void show_output();
   void show_camera() { show_tab(1); }
   void show_queue() { show_tab(2); }
-
-  // Asks for a file, and exports to it.
-  void export_frame();
-  void export_animation();
-  // Exports what the view sees, on the scene's film; by paths if `output` has some, or by the
-  // method of the view.
-  void export_frame_to(const std::filesystem::path& file, const Output& output = {}, int bits = 8);
-  // The frames of the timeline that are named, numbered or as a video, by the file's extension: as
-  // the scene's camera sees them if it has keys, else as the view does.
-  void export_animation_to(const std::filesystem::path& file, int first, int last);
 
  private:
   [[nodiscard]] QAction* make_action(const QString& text, const char* name, const QString& tip);
@@ -64,7 +57,6 @@ class FrameOutput : public QObject {
   void render(bool animation);
   [[nodiscard]] bool may_write(const std::filesystem::path& file, bool animation);
   void show_tab(int index);  // of the dock Output
-  void ask_for_file();
   void show_render(int id);
   void show_viewer();
   void keep_view();
@@ -78,6 +70,7 @@ class FrameOutput : public QObject {
   PictureViewer* viewer_;
   QDockWidget* output_dock_ = nullptr;
   QTabWidget* tabs_ = nullptr;
+  OutputPanel* output_ = nullptr;
   QDockWidget* viewer_dock_ = nullptr;
   QList<QAction*> actions_;  // in the order of the menu Render
   QList<QAction*> camera_actions_;

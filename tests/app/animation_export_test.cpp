@@ -4,19 +4,18 @@
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPushButton>
-#include <QSpinBox>
 #include <QStandardItemModel>
 #include <fstream>
 
 #include "app/document/paths.h"
-#include "app/document/timeline.h"
-#include "app/export/animation_dialog.h"
 #include "app/export/frame_export.h"
-#include "app/export/video_file.h"
+#include "app/export/render_queue.h"
+#include "app/files/picture_format.h"
 #include "app/files/scene_files.h"
+#include "app/panels/forms/output_panel.h"
 #include "app/window/frame_output.h"
 #include "core/io/image/image_file.h"
+#include "tests/app/desk.h"
 #include "tests/app/question.h"
 #include "tests/app/test_window.h"
 
@@ -98,19 +97,13 @@ class Exported {
   QTemporaryDir folder_;
 };
 
-// The dialog of a range of frames, and what it asks for.
-class Dialog : public AnimationDialog {
- public:
-  explicit Dialog(Timeline& timeline) : AnimationDialog(timeline, "/tmp", nullptr) {
-    setAttribute(Qt::WA_DeleteOnClose, false);
-    show();
-  }
-  QPushButton& button() { return *findChild<QPushButton*>("export_animation"); }
-  QLineEdit& file() { return *findChild<QLineEdit*>("animation_file"); }
-  void set_last(int frame) { findChild<QSpinBox*>("animation_last")->setValue(frame); }
-
-  QSignalSpy requests{this, &AnimationDialog::requested};
-};
+// Renders frames by the panel Output.
+void render_frames(MainWindow& window, const fs::path& file, int first, int last) {
+  type(window, "output_file", to_qstring(file));
+  enter(window, "output_first", QString::number(first));
+  enter(window, "output_last", QString::number(last));
+  click(window, "render.animation_button");
+}
 
 }  // namespace
 
@@ -122,14 +115,14 @@ class AnimationExportTest : public QObject {
     TestWindow window(dimming_scene());
     auto* exporter = window->findChild<FrameExport*>();
     QSignalSpy finished(exporter, &FrameExport::finished);
-    window->output().export_animation_to(window.file("a.exr"), 28, 30);
+    render_frames(*window, window.file("a.exr"), 28, 30);
     QVERIFY(finished.wait(patience));
     QVERIFY(!fs::exists(window.file("a_0027.exr")) && !fs::exists(window.file("a_0031.exr")));
     const double before = brightness(window.file("a_0028.exr"));
     const double later = brightness(window.file("a_0029.exr"));
     QVERIFY(before > later && later > 0.0);
     QCOMPARE(brightness(window.file("a_0030.exr")), 0.0);
-    window->output().export_animation_to(window.file("a.png"), 0, 0);
+    render_frames(*window, window.file("a.png"), 0, 0);
     QVERIFY(finished.wait(patience));
     QCOMPARE(QImage(to_qstring(window.file("a_0000.png"))).size(), QSize(31, 21));
   }
@@ -140,7 +133,7 @@ class AnimationExportTest : public QObject {
                              {.time = 0.1, .value = {0, 0, 600}}};
     TestWindow window(scene);
     QSignalSpy finished(window->findChild<FrameExport*>(), &FrameExport::finished);
-    window->output().export_animation_to(window.file("k.exr"), 0, 3);
+    render_frames(*window, window.file("k.exr"), 0, 3);
     QVERIFY(finished.wait(patience));
     QVERIFY(brightness(window.file("k_0003.exr")) < 0.5 * brightness(window.file("k_0000.exr")));
   }
@@ -216,107 +209,62 @@ class AnimationExportTest : public QObject {
     QVERIFY(opened.wait(60000));
     const fs::path folder = scene_of.file("out");
     fs::create_directory(folder);
-    window->output().export_animation_to(folder / "v.mp4", 0, 1);
+    render_frames(*window, folder / "v.mp4", 0, 1);
     const QString closed = find_ffmpeg() + ".closed";
     QVERIFY(QTest::qWaitFor([&] { return QFile::exists(closed); }, 60000));
     window.reset();  // the test's time limit is what fails if this waits for ffmpeg
     QCOMPARE(files_in(folder), 0u);
   }
 
-  void the_dialog_previews_the_files() {
+  void the_panel_says_which_files_are_written() {
     const FakeFfmpeg ffmpeg("exit 0\n");
-    Timeline timeline(nullptr);
-    timeline.set_range(3, 7);
-    Dialog dialog(timeline);
-    QVERIFY(!dialog.findChild<QLabel*>("no_video")->isVisible());
-    dialog.file().setText("/tmp/steam.png");
-    dialog.findChild<QComboBox*>("animation_format")->setCurrentIndex(1);
-    QCOMPARE(dialog.file().text(), "/tmp/steam.exr");
-    dialog.set_last(2);
-    QVERIFY(!dialog.button().isEnabled());
-    dialog.set_last(5);
-    QTest::mouseClick(&dialog.button(), Qt::LeftButton);
-    QCOMPARE(dialog.requests.count(), 1);
-    QCOMPARE(dialog.requests[0][0].value<fs::path>(), fs::path("/tmp/steam.exr"));
-    QCOMPARE(dialog.requests[0][1].toInt(), 3);
-    QCOMPARE(dialog.requests[0][2].toInt(), 5);
-  }
-
-  void a_frame_before_0_is_refused() {
-    Timeline timeline(nullptr);
-    timeline.set_range(2, 7);
-    Dialog dialog(timeline);
-    for (const char* name : {"animation_first", "animation_last"}) {
-      auto* box = dialog.findChild<QSpinBox*>(name);
-      const int before = box->value();
-      box->setFocus();
-      box->selectAll();
-      QTest::keyClicks(box, "-3");
-      const auto is_refused = [&] {
-        const auto labels = dialog.findChildren<QLabel*>();
-        return !dialog.button().isEnabled() && std::ranges::any_of(labels, [](const QLabel* label) {
-          return label->text().contains("must be a whole number from 0 to 1000000");
-        });
-      };
-      QVERIFY2(is_refused(), name);
-      QTest::keyClick(box, Qt::Key_Return);
-      QVERIFY2(is_refused(), name);
-      QCOMPARE(box->value(), before);
-      QCOMPARE(box->text(), QString::number(before));
-      QTest::keyClicks(box, "\b5");
-      QVERIFY2(dialog.button().isEnabled(), name);
-    }
-    QCOMPARE(dialog.requests.count(), 0);
+    Desk desk(dimming_scene());
+    type(desk, "output_file", "/tmp/steam.png");
+    enter(desk, "output_first", "3");
+    enter(desk, "output_last", "5");
+    choose(desk, "output_format", 1);
+    QCOMPARE(desk.findChild<QLineEdit*>("output_file")->text(), "/tmp/steam.exr");
+    QCOMPARE(label_text(desk, "output_names"), "Animation: steam_0003.exr to steam_0005.exr");
+    choose(desk, "output_format", 3);
+    QCOMPARE(label_text(desk, "output_names"), "Frames 3 to 5");
+    QSignalSpy refused(desk.findChild<OutputPanel*>(), &OutputPanel::refused);
+    for (const char* name : {"output_first", "output_last"}) enter(desk, name, "-3");
+    QCOMPARE(refused.size(), 2);
+    QCOMPARE(desk.timeline().first(), 3);
+    QCOMPARE(desk.timeline().last(), 5);
   }
 
   void existing_frames_are_replaced_on_confirmation() {
-    const QTemporaryDir folder;
+    TestWindow window(dimming_scene());
     for (const char* name : {"steam_0002.png", "steam_0004.png", "steam_0005.png", "steam_3.png",
                              "steam_0004.exr", "other_0004.png", "steam.mp4"}) {
-      std::ofstream(to_path(folder.filePath(name))) << "old";
+      std::ofstream(window.file(name)) << "old";
     }
-    Timeline timeline(nullptr);
-    Dialog dialog(timeline);
-    dialog.findChild<QSpinBox*>("animation_first")->setValue(3);
-    dialog.set_last(900'000);
-    const auto ask_for = [&](const char* name) {
-      dialog.show();
-      dialog.file().setText(folder.filePath(name));
-    };
-    const auto press = [&](QMessageBox::StandardButton chosen) {
+    const std::size_t renders = window->output().queue().items().size();
+    const auto question_about = [&](const char* name) {
       QString question;
-      answer(chosen, &question);
-      QTest::mouseClick(&dialog.button(), Qt::LeftButton);
+      answer(QMessageBox::Cancel, &question);
+      render_frames(*window, window.file(name), 3, 900'000);
       return question;
     };
-    ask_for("steam.png");
-    const QString asked = press(QMessageBox::Cancel);
+    const QString asked = question_about("steam.png");
     QVERIFY2(asked.contains("2 files") && asked.contains("steam_0004.png") &&
                  asked.contains("steam_0005.png"),
              qPrintable(asked));
-    QVERIFY(dialog.isVisible());
-    QCOMPARE(dialog.requests.count(), 0);
-    press(QMessageBox::Yes);
-    QCOMPARE(dialog.requests.count(), 1);
-    ask_for("new.png");
-    QTest::mouseClick(&dialog.button(), Qt::LeftButton);  // nothing to ask
-    QCOMPARE(dialog.requests.count(), 2);
-    ask_for("steam.mp4");
-    QVERIFY(press(QMessageBox::Cancel).contains("steam.mp4"));
-    QCOMPARE(dialog.requests.count(), 2);
+    QVERIFY(question_about("steam.mp4").contains("steam.mp4"));
+    QCOMPARE(window->output().queue().items().size(), renders);
   }
 
   void without_ffmpeg_video_is_disabled() {
     const QByteArray path = qgetenv("PATH");
     qputenv("PATH", "/nowhere");
-    Timeline timeline(nullptr);
-    Dialog dialog(timeline);
-    qputenv("PATH", path);
-    auto* format = dialog.findChild<QComboBox*>("animation_format");
-    const QStandardItem* video = qobject_cast<QStandardItemModel*>(format->model())->item(2);
+    Desk desk(dimming_scene());
+    const auto* format = desk.findChild<QComboBox*>("output_format");
+    const QStandardItem* video = qobject_cast<QStandardItemModel*>(format->model())->item(3);
     QVERIFY(!video->isEnabled());
-    QVERIFY(dialog.findChild<QLabel*>("no_video")->isVisible());
-    QVERIFY(dialog.findChild<QLabel*>("no_video")->text().contains("ffmpeg"));
+    type(desk, "output_file", "a.mp4");
+    QVERIFY(label_text(desk, "output_names").contains("ffmpeg"));
+    qputenv("PATH", path);
   }
 };
 

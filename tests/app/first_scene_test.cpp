@@ -210,9 +210,11 @@ class FirstSceneTest : public QObject {
     QVERIFY(says_so());
 
     QSignalSpy exported(window->findChild<FrameExport*>(), &FrameExport::finished);
-    window->output().export_frame_to(window.file("dark.png"));
+    type(window, "output_file", to_qstring(window.file("dark.png")));
+    window.key(Qt::Key_F12);
     QTRY_COMPARE(exported.count(), 1);
     QCOMPARE(bright_share_of(QImage(to_qstring(window.file("dark.png")))), 0.0);
+    document.undo_stack().undo();
 
     document.undo_stack().undo();
     QVERIFY(window.settle());

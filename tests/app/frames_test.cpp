@@ -383,7 +383,8 @@ class FramesTest : public QObject {
     QVERIFY(window->findChild<QAction*>("backend_gl")->isChecked());
     QCOMPARE(window.shown().frame.statistics.backend, "gl");
     QSignalSpy exported(window->findChild<FrameExport*>(), &FrameExport::finished);
-    window->output().export_frame_to(window.file("frame.exr"));
+    type(window, "output_file", "frame.exr");
+    window.key(Qt::Key_F12);
     QVERIFY(exported.wait(patience));
     QFile file(to_qstring(window.file("frame.exr")));
     QVERIFY(file.open(QIODevice::ReadOnly));
@@ -396,7 +397,8 @@ class FramesTest : public QObject {
     auto* exporter = window->findChild<FrameExport*>();
     for (const char* name : {"frame.exr", "frame.png"}) {
       QSignalSpy finished(exporter, &FrameExport::finished);
-      window->output().export_frame_to(window.file(name));
+      type(window, "output_file", name);
+      window.key(Qt::Key_F12);
       QVERIFY(exporter->job().is_running());
       QVERIFY(finished.wait(patience));
       QVERIFY(!exporter->job().is_running());
@@ -407,10 +409,6 @@ class FramesTest : public QObject {
     QVERIFY(layers.channels.contains("transmittance.G"));
     QCOMPARE(QImage(QString::fromStdString(window.file("frame.png").string())).size(),
              QSize(120, 90));
-
-    QSignalSpy failed(exporter, &FrameExport::failed);
-    window->output().export_frame_to(window.file("frame.tiff"));
-    QVERIFY(failed.wait(patience));
   }
 };
 

@@ -1,4 +1,4 @@
-// All orders of scattering: chosen, shown, path-traced, exported.
+// All orders of scattering: chosen, shown, path-traced.
 
 #include <QAction>
 #include <QComboBox>
@@ -9,14 +9,10 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSettings>
-#include <QSpinBox>
 #include <QTreeWidget>
 #include <algorithm>
 
 #include "app/commands/edit_medium.h"
-#include "app/document/paths.h"
-#include "app/export/frame_dialog.h"
-#include "app/export/frame_export.h"
 #include "app/viewport/legend.h"
 #include "app/viewport/view_grid.h"
 #include "app/window/pages/message_bar.h"
@@ -247,55 +243,6 @@ class ScatteringTest : public QObject {
     QVERIFY(window.settle());
     QCOMPARE(frames.shown()->frame.statistics.backend, backend);
     invoke(window, "backend_auto");
-  }
-
-  void a_png_of_16_bits_is_exported() {
-    TestWindow window(dense_scene(), small);
-    invoke(window, "file.export");
-    auto* dialog = window->findChild<FrameDialog*>();
-    QVERIFY(dialog);
-    auto* format = dialog->findChild<QComboBox*>("frame_format");
-    auto* bits = dialog->findChild<QComboBox*>("frame_bits");
-    format->setCurrentIndex(1);
-    QVERIFY(!bits->isEnabled());
-    format->setCurrentIndex(0);
-    QVERIFY(bits->isEnabled());
-    bits->setCurrentIndex(1);
-    dialog->findChild<QLineEdit*>("frame_file")->setText(to_qstring(window.file("fine.png")));
-    QSignalSpy finished(window->findChild<FrameExport*>(), &FrameExport::finished);
-    click(*dialog, "export_frame");
-    QVERIFY(finished.wait(patience));
-    QFile written(to_qstring(window.file("fine.png")));
-    QVERIFY(written.open(QIODevice::ReadOnly));
-    QCOMPARE(int{written.read(25).back()}, 16);  // bits of a value, in the header
-  }
-
-  void a_path_traced_frame_is_exported() {
-    TestWindow window(dense_scene(), small);
-    invoke(window, "file.export");
-    auto* dialog = window->findChild<FrameDialog*>();
-    QVERIFY(dialog);
-    auto* paths = dialog->findChild<QSpinBox*>("frame_paths");
-    QVERIFY(!paths->isEnabled());
-    auto* format = dialog->findChild<QComboBox*>("frame_format");
-    auto* file = dialog->findChild<QLineEdit*>("frame_file");
-    format->setCurrentIndex(2);
-    QVERIFY(file->text().endsWith("frame.deep.exr"));
-    QVERIFY(!dialog->findChild<QComboBox*>("frame_method")->isEnabled());
-    format->setCurrentIndex(1);
-    QVERIFY(file->text().endsWith("frame.exr"));
-    file->setText(to_qstring(window.file("paths.exr")));
-    dialog->findChild<QComboBox*>("frame_method")->setCurrentIndex(1);
-    QVERIFY(paths->isEnabled());
-    paths->setValue(3);
-    QSignalSpy finished(window->findChild<FrameExport*>(), &FrameExport::finished);
-    click(*dialog, "export_frame");
-    QVERIFY(finished.wait(patience));
-    QFile written(to_qstring(window.file("paths.exr")));
-    QVERIFY(written.open(QIODevice::ReadOnly));
-    const QByteArray head = written.read(4096);
-    QVERIFY(head.contains("path:3"));
-    QVERIFY(head.contains("brume:noise"));
   }
 };
 

@@ -5,8 +5,8 @@
 #include "app/panels/forms/scene_form.h"
 
 class QAction;
+class QCheckBox;
 class QComboBox;
-class QLineEdit;
 
 namespace brume {
 
@@ -14,14 +14,18 @@ class Timeline;
 struct Output;
 struct Playback;
 
-// Output to files: size, method, frames, format, layers and colour. All of it belongs to
-// the scene.
+// Output to files: size, method, frames, format, layers and colour. It belongs to the scene, but
+// for the bits of a PNG, which are a setting, and whether the view is rendered.
 class OutputPanel : public SceneForm {
   Q_OBJECT
  public:
   // `exposure`: of the view, in stops. The actions render one frame and all of them.
   OutputPanel(Document& document, const Timeline& timeline, std::function<double()> exposure,
               QAction* render, QAction* render_animation, QWidget* parent);
+
+  // What the view sees, in place of the scene's camera.
+  [[nodiscard]] bool renders_view() const;
+  [[nodiscard]] int png_bits() const;  // of each value
 
  Q_SIGNALS:
   void clear_region_asked_for();
@@ -31,6 +35,9 @@ class OutputPanel : public SceneForm {
   void show_region(const QString& text);
 
  private:
+  [[nodiscard]] QComboBox* new_format();
+  void add_bits(QFormLayout& form);
+  void add_view(QFormLayout& form);
   void add_size(QFormLayout& form);
   void add_region(QFormLayout& form);
   void add_method(QFormLayout& form);
@@ -52,6 +59,8 @@ class OutputPanel : public SceneForm {
   bool locks_aspect_ = false;
   double aspect_ = 1.0;  // width over height, if it is locked
   QWidget* region_ = nullptr;
+  QComboBox* bits_ = nullptr;
+  QCheckBox* from_view_ = nullptr;
 };
 
 }  // namespace brume

@@ -113,8 +113,8 @@ void MainMenu::fill_file_menu(QMenu* menu) {
   add(menu, tr("&Import…"), "file.import", [this] { parts_.jobs.import().ask(); });
   add(menu, tr("Import Se&quence…"), "", [this] { parts_.jobs.import().ask_sequence(); });
   menu->addSeparator();
-  add(menu, tr("&Export Frame…"), "file.export", [this] { parts_.output.export_frame(); });
-  add(menu, tr("Export Ani&mation…"), "", [this] { parts_.output.export_animation(); });
+  add(menu, tr("&Export Picture or Animation…"), "file.export",
+      [this] { parts_.output.show_output(); });
   add(menu, tr("Export Me&dium…"), "", [this] { parts_.jobs.export_medium(); });
   add(menu, tr("&Gather into Folder…"), "", [this] { parts_.jobs.gather(); });
   menu->addSeparator();
