@@ -20,7 +20,7 @@ QString dialog_text(const char* text) {
 
 QString settings_key(FileKind kind) {
   constexpr const char* names[]{"scene",    "import", "picture", "medium",  "gather", "environment",
-                                "material", "color",  "profile", "texture", "missing"};
+                                "material", "color",  "profile", "texture", "plate",  "missing"};
   return QString("folders/") + names[static_cast<int>(kind)];
 }
 

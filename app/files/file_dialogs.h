@@ -21,6 +21,7 @@ enum class FileKind {
   color,
   profile,
   texture,
+  plate,
   missing
 };
 

@@ -38,6 +38,13 @@ void CameraFrame::set_guides(const Guides& guides) {
   update();
 }
 
+void CameraFrame::set_plate(const QImage& plate, double opacity) {
+  if (plate.cacheKey() != plate_.cacheKey()) scaled_plate_ = {};
+  plate_ = plate;
+  plate_opacity_ = opacity;
+  update();
+}
+
 void CameraFrame::set_region(const std::optional<QRectF>& region) {
   if (region == region_) return;
   region_ = region;
@@ -110,6 +117,21 @@ bool CameraFrame::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
+void CameraFrame::paint_plate(QPainter& painter) {
+  if (plate_.isNull() || plate_opacity_ == 0.0 || !guides_.plate) return;
+  const QSizeF size = QSizeF(plate_.size()).scaled(frame_->size(), Qt::KeepAspectRatio);
+  const QSize pixels = (size * devicePixelRatioF()).toSize().expandedTo({1, 1});
+  if (scaled_plate_.size() != pixels) {
+    scaled_plate_ =
+        QPixmap::fromImage(plate_.scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+  }
+  QRectF place(QPointF(), size);
+  place.moveCenter(frame_->center());
+  painter.setOpacity(plate_opacity_);
+  painter.drawPixmap(place, scaled_plate_, scaled_plate_.rect());
+  painter.setOpacity(1.0);
+}
+
 void CameraFrame::paint_guides(QPainter& painter) const {
   painter.setPen(QPen(QColor(235, 238, 242, 110), 1.0));
   if (guides_.thirds) {
@@ -129,6 +151,7 @@ void CameraFrame::paint_guides(QPainter& painter) const {
 void CameraFrame::paintEvent(QPaintEvent* /*event*/) {
   if (!frame_) return;
   QPainter painter(this);
+  paint_plate(painter);
   QPainterPath outside;
   outside.addRect(rect());
   QPainterPath inside;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QImage>
+#include <QPixmap>
 #include <QRectF>
 #include <QWidget>
 #include <optional>
@@ -22,14 +24,18 @@ class CameraFrame : public QWidget {
   static constexpr double action_side = 0.9;
   static constexpr double title_side = 0.8;
 
-  // Lines to compose by.
+  // What to compose by.
   struct Guides {
     bool thirds = false;
     bool safe_areas = false;  // of action and of titles
+    bool plate = true;
     bool operator==(const Guides&) const = default;
   };
   [[nodiscard]] const Guides& guides() const { return guides_; }
   void set_guides(const Guides& guides);
+
+  // A picture over that of the frame, as large as fits; null: none.
+  void set_plate(const QImage& plate, double opacity);
 
   // The marked part, in fractions of the frame from its upper left corner; nullopt: none.
   [[nodiscard]] const std::optional<QRectF>& region() const { return region_; }
@@ -51,6 +57,7 @@ class CameraFrame : public QWidget {
 
  private:
   void end_marking();
+  void paint_plate(QPainter& painter);
   void paint_guides(QPainter& painter) const;
   [[nodiscard]] QRectF marked() const;  // by the drag, in fractions of the frame
   [[nodiscard]] QRectF on_pane(const QRectF& region) const;
@@ -58,6 +65,9 @@ class CameraFrame : public QWidget {
   std::optional<QRectF> frame_;
   QString title_;
   Guides guides_;
+  QImage plate_;
+  QPixmap scaled_plate_;  // as it was painted last
+  double plate_opacity_ = 0.0;
   std::optional<QRectF> region_;
   bool marks_ = false;
   std::optional<QPointF> start_;  // of the drag

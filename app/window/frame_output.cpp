@@ -139,13 +139,17 @@ void FrameOutput::create_guide_actions() {
     QAction* action = make_action(text, name, tip);
     action->setCheckable(true);
     const QString key = QString(name).replace('.', '/');
-    connect(action, &QAction::toggled, this, [&frame, guide, key](bool on) {
+    const auto show = [&frame, guide](bool on) {
       CameraFrame::Guides guides = frame.guides();
       guides.*guide = on;
       frame.set_guides(guides);
+    };
+    action->setChecked(QSettings().value(key, frame.guides().*guide).toBool());
+    show(action->isChecked());
+    connect(action, &QAction::toggled, this, [show, key](bool on) {
+      show(on);
       QSettings().setValue(key, on);
     });
-    action->setChecked(QSettings().value(key, false).toBool());
     guide_actions_ << action;
   };
   add(tr("&Thirds"), "view.thirds",
@@ -155,6 +159,9 @@ void FrameOutput::create_guide_actions() {
       tr("The parts of the camera's picture where action (%1) and titles (%2) stay visible")
           .arg(percent_text(CameraFrame::action_side), percent_text(CameraFrame::title_side)),
       &CameraFrame::Guides::safe_areas);
+  add(tr("&Plate"), "view.plate",
+      tr("The photographed picture that the panel Camera has chosen, over the camera's picture"),
+      &CameraFrame::Guides::plate);
   // Guides are drawn in the camera's frame.
   const CameraController& camera = work_.views.perspective().camera_controller();
   const auto enable = [this, &camera] {
@@ -180,6 +187,8 @@ QTabWidget* FrameOutput::make_tabs() {
   connect(&frame, &CameraFrame::region_changed, output_,
           [&frame, this] { output_->show_region(region_text(frame.region())); });
   on_change(work_.document, Change::scene, &frame, [&frame] { frame.set_region(std::nullopt); });
+
+  connect(cameras, &CameraPanel::plate_changed, &frame, &CameraFrame::set_plate);
 
   auto* queue = new QueueList(*queue_, &window_);
   connect(queue, &QueueList::show_asked_for, this, &FrameOutput::show_render);

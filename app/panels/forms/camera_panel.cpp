@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSettings>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,6 +18,7 @@
 #include "app/commands/edit_cameras.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
+#include "app/panels/forms/plate_panel.h"
 #include "app/widgets/keys.h"
 #include "app/widgets/rows.h"
 #include "core/number_domain.h"
@@ -28,6 +30,7 @@ namespace {
 
 constexpr int name_role = Qt::UserRole;
 constexpr int list_rows = 4;
+constexpr const char* film_back_key = "camera/film_back";
 constexpr NumberDomain focal_lengths{0.1, 10000.0, "a number from 0.1 to 10000 mm"};
 
 }  // namespace
@@ -35,7 +38,8 @@ constexpr NumberDomain focal_lengths{0.1, 10000.0, "a number from 0.1 to 10000 m
 CameraPanel::CameraPanel(Document& document, std::function<Camera()> view, QWidget* parent)
     : SceneForm(document, parent),
       view_(std::move(view)),
-      list_(named(new QListWidget(this), "cameras")) {
+      list_(named(new QListWidget(this), "cameras")),
+      film_back_(QSettings().value(film_back_key, sensor_width).toDouble()) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(6, 6, 6, 6);
   form->addRow(new_list());
@@ -44,6 +48,9 @@ CameraPanel::CameraPanel(Document& document, std::function<Camera()> view, QWidg
   toggles_ = new QVBoxLayout(toggles);
   toggles_->setContentsMargins(0, 0, 0, 0);
   form->addRow(toggles);
+  auto* plate = new PlatePanel(document, this);
+  form->addRow(plate);
+  connect(plate, &PlatePanel::plate_changed, this, &CameraPanel::plate_changed);
   add_values(*form);
   on_refresh([this] { show_cameras(); });
   refresh();
@@ -121,6 +128,7 @@ void CameraPanel::add_values(QFormLayout& form) {
     const std::string_view name = field.info.name;
     if (name == "vertical_fov") {
       add_projection(form);
+      add_film_backs(form);
       add_lenses(form);
       add_focal_length(form);
     }
@@ -154,6 +162,48 @@ void CameraPanel::add_projection(QFormLayout& form) {
       [this, projection] { projection->setCurrentIndex(document_.scene().camera.height ? 1 : 0); });
 }
 
+// The same picture takes a shorter lens before a smaller film back.
+void CameraPanel::add_film_backs(QFormLayout& form) {
+  struct FilmBack {
+    double width;  // [mm]
+    const char* name;
+  };
+  static constexpr auto film_backs =
+      std::to_array<FilmBack>({{sensor_width, QT_TR_NOOP("36 mm, full frame")},
+                               {52.48, QT_TR_NOOP("52.48 mm, 65 mm film")},
+                               {43.8, QT_TR_NOOP("43.8 mm, medium format")},
+                               {24.89, QT_TR_NOOP("24.89 mm, Super 35")},
+                               {23.6, QT_TR_NOOP("23.6 mm, APS-C")},
+                               {17.3, QT_TR_NOOP("17.3 mm, Four Thirds")},
+                               {13.2, QT_TR_NOOP("13.2 mm, 1 inch")},
+                               {12.52, QT_TR_NOOP("12.52 mm, Super 16")}});
+  auto* box = named(new QComboBox(this), "camera_film_back",
+                    tr("Width of the sensor or film that focal lengths are before. The picture "
+                       "stays; it is a setting of yours, not of the scene"));
+  for (const FilmBack& back : film_backs) box->addItem(tr(back.name));
+  const auto* found = std::ranges::find(film_backs, film_back_, &FilmBack::width);
+  if (found == film_backs.end()) found = film_backs.begin();
+  film_back_ = found->width;
+  box->setCurrentIndex(static_cast<int>(found - film_backs.begin()));
+  form.addRow(tr("Film back"), box);
+  connect(box, &QComboBox::activated, this, [this](int index) {
+    film_back_ = film_backs[static_cast<std::size_t>(index)].width;
+    QSettings().setValue(film_back_key, film_back_);
+    refresh();
+  });
+}
+
+double CameraPanel::focal_length() const {
+  const Scene& scene = document_.scene();
+  return brume::focal_length(scene.camera.vertical_fov, scene.film) * film_back_ / sensor_width;
+}
+
+void CameraPanel::set_focal_length(double length, MergeId gesture) {
+  Camera changed = document_.scene().camera;
+  changed.vertical_fov = vertical_fov(length * sensor_width / film_back_, document_.scene().film);
+  brume::set_camera(document_, changed, tr("focal length"), gesture);
+}
+
 void CameraPanel::add_lenses(QFormLayout& form) {
   struct Lens {
     double focal_length;  // [mm]
@@ -166,42 +216,34 @@ void CameraPanel::add_lenses(QFormLayout& form) {
                                                       {85.0, QT_TR_NOOP("85 mm, portrait")},
                                                       {135.0, QT_TR_NOOP("135 mm, far")}});
   auto* box = named(new QComboBox(this), "camera_lens",
-                    tr("Usual lenses before a sensor 36 mm wide: sets the focal length"));
+                    tr("Usual lenses, with names for a sensor 36 mm wide: sets the focal length"));
   for (const Lens& lens : lenses) box->addItem(tr(lens.name));
   box->setPlaceholderText(tr("Another"));
   form.addRow(tr("Lens"), box);
   connect(box, &QComboBox::activated, this, [this](int index) {
-    Camera changed = document_.scene().camera;
-    changed.vertical_fov =
-        vertical_fov(lenses[static_cast<std::size_t>(index)].focal_length, document_.scene().film);
-    brume::set_camera(document_, changed, tr("focal length"), no_merge);
+    set_focal_length(lenses[static_cast<std::size_t>(index)].focal_length, no_merge);
   });
   on_refresh([this, box] {
-    const Camera& camera = document_.scene().camera;
-    const double length = focal_length(camera.vertical_fov, document_.scene().film);
+    const double length = focal_length();
     const auto found = std::ranges::find_if(lenses, [length](const Lens& lens) {
       return std::abs(lens.focal_length - length) < 1e-6 * length;
     });
-    box->setEnabled(!camera.height);
+    box->setEnabled(!document_.scene().camera.height);
     box->setCurrentIndex(found == lenses.end() ? -1 : static_cast<int>(found - lenses.begin()));
   });
 }
 
 void CameraPanel::add_focal_length(QFormLayout& form) {
-  const auto camera = [this]() -> const Camera& { return document_.scene().camera; };
   add_number(form, tr("Focal length, mm"),
              {"focal_length", focal_lengths, ValueField::Scale::logarithmic, 0.005,
-              [this, camera] {
-                if (camera().height) return std::optional<double>();
-                return std::optional(focal_length(camera().vertical_fov, document_.scene().film));
+              [this] {
+                return document_.scene().camera.height ? std::nullopt
+                                                       : std::optional(focal_length());
               },
-              [this, camera](double value, MergeId gesture) {
-                Camera changed = camera();
-                changed.vertical_fov = vertical_fov(value, document_.scene().film);
-                brume::set_camera(document_, changed, tr("focal length"), gesture);
-              }})
-      ->setToolTip(tr("Of a lens before a sensor 36 mm wide: 24 is wide, 50 normal, 85 and more "
-                      "make things seem closer. The same as the field of view"));
+              std::bind_front(&CameraPanel::set_focal_length, this)})
+      ->setToolTip(
+          tr("Of a lens before the film back: of 36 mm, 24 is wide, 50 normal, 85 and more "
+             "make things seem closer. The same as the field of view"));
 }
 
 void CameraPanel::add_focus(QFormLayout& form) {

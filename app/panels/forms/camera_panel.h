@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QImage>
+
 #include "app/panels/forms/scene_form.h"
 
 class QAction;
@@ -22,14 +24,18 @@ class CameraPanel : public SceneForm {
 
  Q_SIGNALS:
   void look_through_asked_for();
+  void plate_changed(const QImage& picture, double opacity);  // of the camera in use
 
  private:
   QWidget* new_list();
   QWidget* new_buttons();
   void add_values(QFormLayout& form);
   void add_projection(QFormLayout& form);
+  void add_film_backs(QFormLayout& form);
   void add_lenses(QFormLayout& form);
   void add_focal_length(QFormLayout& form);
+  [[nodiscard]] double focal_length() const;  // of the lens before the film back [mm]
+  void set_focal_length(double length, MergeId gesture);
   void add_focus(QFormLayout& form);
   void set_camera(const Camera& camera, const FieldInfo& info, MergeId gesture);
   void show_cameras();
@@ -38,6 +44,7 @@ class CameraPanel : public SceneForm {
   std::function<Camera()> view_;
   QListWidget* list_;
   QVBoxLayout* toggles_ = nullptr;
+  double film_back_;          // its width [mm], a setting of the user
   bool is_changing_ = false;  // the list, by this panel or by a name that is being taken over
 };
 
