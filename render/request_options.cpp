@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "brume/limits.h"
+#include "core/io/scene/scene_names.h"
 #include "core/io/text_scanner.h"
 #include "core/number_domain.h"
 #include "render/request.h"
@@ -23,8 +24,8 @@ constexpr std::array scatterings{std::pair("single", Scattering::single),
 constexpr std::array measurements{std::pair("none", ErrorMeasurement::none),
                                   std::pair("quick", ErrorMeasurement::quick),
                                   std::pair("full", ErrorMeasurement::full)};
-constexpr std::array denoisings{std::pair("none", Denoising::none),
-                                std::pair("solved", Denoising::solved)};
+const std::array denoisings{std::pair(scene_names::denoisings[0].c_str(), Denoising::none),
+                            std::pair(scene_names::denoisings[1].c_str(), Denoising::solved)};
 constexpr std::array scales{std::pair("1", 1), std::pair("2", 2), std::pair("4", 4)};
 constexpr std::array backends{std::pair("auto", Backend::auto_), std::pair("cpu", Backend::cpu),
                               std::pair("gl", Backend::gl)};

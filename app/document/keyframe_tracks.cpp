@@ -299,12 +299,6 @@ std::vector<KeyedTrack> keyed_tracks(const Scene& scene) {
   return keyed;
 }
 
-std::vector<Track> tracks_with_keys(const Scene& scene) {
-  std::vector<Track> rows;
-  for (KeyedTrack& keyed : keyed_tracks(scene)) rows.push_back(std::move(keyed.track));
-  return rows;
-}
-
 std::vector<Track> imported_tracks(const Scene& scene) {
   std::vector<Track> rows;
   const QStringList names = surface_names(scene.surfaces);

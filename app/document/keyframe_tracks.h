@@ -82,7 +82,6 @@ struct KeyedTrack {
   std::vector<std::size_t> values;  // those of the part's that have keys
 };
 std::vector<KeyedTrack> keyed_tracks(const Scene& scene);
-std::vector<Track> tracks_with_keys(const Scene& scene);
 
 // Whether its curves may have tangents: those of rotations have none.
 bool may_have_tangents(const Scene& scene, const Track& row);

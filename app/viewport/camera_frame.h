@@ -42,7 +42,6 @@ class CameraFrame : public QWidget {
   void set_region(const std::optional<QRectF>& region);
   // The next drag of the left button marks a part; Escape and the right button end this.
   void start_marking();
-  [[nodiscard]] bool is_marking() const { return marks_; }
 
  Q_SIGNALS:
   void region_changed();

@@ -45,7 +45,6 @@ class Viewport : public QWidget, public View {
 
   // Why there is no OpenGL; empty if there is.
   [[nodiscard]] QString gl_problem() const;
-  [[nodiscard]] bool has_gl() const { return gl_problem().isEmpty(); }
 
  Q_SIGNALS:
   void used();                        // by mouse, wheel or keys

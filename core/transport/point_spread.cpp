@@ -88,11 +88,6 @@ ZonalSh<double> point_spread_sh(double T) {
       [](double gamma, double x) { return detour(std::numbers::pi - gamma, x); });
 }
 
-double distant_spread(double T, double gamma) {
-  return mean_attenuation(T, [&](double x) { return distant_detour(gamma, x); }) /
-         (4.0 * std::numbers::pi);
-}
-
 ZonalSh<double> distant_spread_sh(double T) {
   return project(
       T, [](double gamma) { return std::sin(gamma); }, distant_detour);

@@ -33,11 +33,10 @@ inline constexpr ZonalSh<double> paper_point_spread_sh = {0.332818, 0.332488, 0.
 // there, which includes the halo of a near light and is up to 2.5 times too bright. The receiver is
 // at the center of a ball of medium of radius 1 and optical depth T, light comes from one
 // direction:
-//   distant_spread = 1 / (4 pi) * integral over t in [0, 1] of exp(-T (t + r - 1)),
-// where r is the path of the light in the ball to the point at t of the view ray. T >= 0; gamma in
-// [0, pi] [radians]. 1 / (4 pi) at T = 0. Relative error at most 1e-11.
-double distant_spread(double T, double gamma);
-
+//   distant_spread(T, gamma) = 1 / (4 pi) * integral over t in [0, 1] of exp(-T (t + r - 1)),
+// where r is the path of the light in the ball to the point at t of the view ray, gamma off the
+// light. T >= 0. 1 / (4 pi) at T = 0.
+//
 // Its m = 0 coefficients, T in [0, 100]; error at most 2e-9 of the first.
 ZonalSh<double> distant_spread_sh(double T);
 

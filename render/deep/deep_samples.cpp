@@ -157,22 +157,4 @@ void fit_deep_samples(const RayProfile& ray, const DeepTolerance& tolerance,
   }
 }
 
-HeldOut held_out(const DeepSample* samples, std::size_t count, double distance) {
-  HeldOut result;
-  for (std::size_t k = 0; k < count; ++k) {
-    const DeepSample& sample = samples[k];
-    const double front = static_cast<double>(sample.z);
-    const double length = static_cast<double>(sample.z_back) - front;
-    if (front >= distance) break;
-    const double x = length > 0.0 ? std::min((distance - front) / length, 1.0) : 1.0;
-    for (int c = 0; c < 3; ++c) {
-      const PartOfVolume part = part_of_volume(static_cast<double>(sample.alpha[c]), x);
-      result.airlight[c] +=
-          result.transmittance[c] * static_cast<double>(sample.color[c]) * part.light;
-      result.transmittance[c] *= part.transmittance;
-    }
-  }
-  return result;
-}
-
 }  // namespace brume

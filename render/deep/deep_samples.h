@@ -36,11 +36,4 @@ double error_between_points(const RayProfile& ray, const DeepTolerance& toleranc
 void fit_deep_samples(const RayProfile& ray, const DeepTolerance& tolerance,
                       std::vector<DeepSample>& samples);
 
-// The view of samples up to a distance: nothing of a surface there, or behind it.
-struct HeldOut {
-  glm::dvec3 airlight{0.0};
-  glm::dvec3 transmittance{1.0};
-};
-HeldOut held_out(const DeepSample* samples, std::size_t count, double distance);
-
 }  // namespace brume

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace brume::gl {
 
@@ -27,21 +26,5 @@ bool is_software_renderer(const std::string& name);
 
 // The missing feature that keeps the passes from running; empty: none.
 std::string missing_feature(const Device& device);
-
-// Collects driver messages (KHR_debug) of the context current at construction, except
-// notifications. Must be destroyed before the context.
-class Messages {
- public:
-  Messages();
-  ~Messages();
-  Messages(const Messages&) = delete;
-  Messages& operator=(const Messages&) = delete;
-
-  // Messages since the last call.
-  std::vector<std::string> collect();
-
- private:
-  std::vector<std::string> messages_;
-};
 
 }  // namespace brume::gl

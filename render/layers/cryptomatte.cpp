@@ -55,13 +55,6 @@ void CoverageFilm::add(std::size_t pixel, std::uint32_t id, float weight) {
   }
 }
 
-float CoverageFilm::coverage(std::size_t pixel, std::uint32_t id) const {
-  for (const Share& share : pixels_[pixel]) {
-    if (share.weight > 0.0f && share.id == id) return share.weight;
-  }
-  return 0.0f;
-}
-
 void CoverageFilm::write(const std::string& layer, ImageLayers& image) const {
   std::vector<float> hashes;
   nlohmann::ordered_json manifest = nlohmann::ordered_json::object();

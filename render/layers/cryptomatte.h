@@ -30,8 +30,6 @@ class CoverageFilm {
 
   // A share of a pixel, of all weights of a pixel at most 1. Pixels may be filled in parallel.
   void add(std::size_t pixel, std::uint32_t id, float weight);
-  // The share of a pixel that an id covers.
-  [[nodiscard]] float coverage(std::size_t pixel, std::uint32_t id) const;
 
   // Adds the channels LAYER00.R/G/B/A, LAYER01, LAYER02, hash and coverage in turn, and the
   // metadata, with all names as the manifest.

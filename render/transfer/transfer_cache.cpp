@@ -132,6 +132,7 @@ RadianceTransfer decode(const fs::path& file, const TransferSettings& settings, 
   return transfer;
 }
 
+// The name is a hash of the mesh's points, normals and triangles and of the settings.
 fs::path file_of(const fs::path& folder, std::uint64_t hash) {
   std::array<char, 17> digits{};
   std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
@@ -150,11 +151,6 @@ fs::path cache_folder() {
   if (const fs::path cache = absolute("XDG_CACHE_HOME"); !cache.empty()) return cache / "brume";
   const fs::path home = absolute("HOME");
   return home.empty() ? home : home / ".cache" / "brume";
-}
-
-fs::path transfer_file(const fs::path& folder, const TriangleMesh& mesh,
-                       const TransferSettings& settings) {
-  return file_of(folder, hash_of(mesh, settings));
 }
 
 std::optional<RadianceTransfer> cached_radiance_transfer(

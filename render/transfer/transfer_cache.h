@@ -17,14 +17,10 @@ namespace brume {
 // $XDG_CACHE_HOME/brume, else $HOME/.cache/brume; empty where neither is an absolute path.
 std::filesystem::path cache_folder();
 
-// File name: hash of the mesh's points, normals and triangles and of the settings. Material, scale
-// and transform do not matter.
-std::filesystem::path transfer_file(const std::filesystem::path& folder, const TriangleMesh& mesh,
-                                    const TransferSettings& settings);
-
-// radiance_transfer(), cached in `folder`, which is created if missing; with an empty folder, or
-// beyond limits::file_bytes, nothing is written. Damaged files are replaced; unreadable or
-// unwritable ones are tolerated; both append a line to `warnings`, if given. nullopt if stopped.
+// radiance_transfer(), cached by mesh and settings in `folder`, which is created if missing; with
+// an empty folder, or beyond limits::file_bytes, nothing is written. Damaged files are replaced;
+// unreadable or unwritable ones are tolerated; both append a line to `warnings`, if given. nullopt
+// if stopped.
 std::optional<RadianceTransfer> cached_radiance_transfer(
     const std::shared_ptr<const TriangleMesh>& mesh, const TransferSettings& settings,
     const std::filesystem::path& folder, const Job& job = {},

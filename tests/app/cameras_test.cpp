@@ -114,7 +114,7 @@ class CamerasTest : public QObject {
     Document& document = desk.document();
     const auto tracks_shown = [&] {
       QStringList titles;
-      for (const Track& track : tracks_with_keys(document.scene())) titles << track.title();
+      for (const KeyedTrack& keyed : keyed_tracks(document.scene())) titles << keyed.track.title();
       return titles;
     };
     auto* key = desk.findChild<QToolButton*>("camera_roll_key");

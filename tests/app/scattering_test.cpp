@@ -235,7 +235,7 @@ class ScatteringTest : public QObject {
     QVERIFY(window.settle());
     const std::string backend = frames.shown()->frame.statistics.backend;
     window->viewport().frames().set_mode(ViewMode::path_traced);
-    QTRY_VERIFY(frames.is_settled());
+    QTRY_VERIFY(frames.shown()->request.settings.airlight == AirlightMethod::path);
     QCOMPARE(frames.shown()->frame.statistics.backend, "cpu");
     // Nothing has failed.
     if (backend == "gl") QVERIFY(!window->findChild<MessageBar*>()->isVisible());

@@ -83,7 +83,7 @@ TEST(Mirrors, AreAsBrightInFogAsPathsHaveThem) {
     Scene scene = in_fog(boxes_on_a_floor(), 0.05);
     scene.optics.albedo = glm::dvec3(0.7);
     make_metal(scene.surfaces[0], 0.8, roughness);
-    const Frame mirrored = render_frame(scene, sliced(24, Scattering::multiple));
+    const Frame mirrored = render_frame(scene, all_orders(24, {.nodes = 20'000}));
     const Frame paths = render_frame(scene, path_traced(48));
     EXPECT_NEAR(mean_difference(mirrored, paths, 22), 0.0, 0.04) << roughness;
   }

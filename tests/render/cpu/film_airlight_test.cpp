@@ -145,8 +145,8 @@ TEST(TileSeams, RandomScenesStepNoMoreAtBordersThanWithinTiles) {
     Seams fine;
     for (unsigned seed = 1; seed <= 10; ++seed) {
       Scene scene = seam_scene(seed);
-      if (scale == 1) scene.film = {120, 96};
-      const Frame reference = frame_of(scene, 64, 1);
+      scene.film = scale == 1 ? Film{120, 96} : Film{240, 192};
+      const Frame reference = frame_of(scene, 48, 1);
       coarse.add(find_seams(frame_of(scene, 8, scale), reference, scale));
       fine.add(find_seams(frame_of(scene, 16, scale), reference, scale));
     }

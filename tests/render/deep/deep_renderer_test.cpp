@@ -51,6 +51,30 @@ class DeepFrame {
 };
 
 // The largest differences from a flat frame of what is in front of its surfaces.
+// The view of samples up to a distance: nothing of a surface there, or behind it.
+struct HeldOut {
+  glm::dvec3 airlight{0.0};
+  glm::dvec3 transmittance{1.0};
+};
+HeldOut held_out(std::span<const DeepSample> samples, double distance) {
+  HeldOut result;
+  for (const DeepSample& sample : samples) {
+    const double front = static_cast<double>(sample.z);
+    const double length = static_cast<double>(sample.z_back) - front;
+    if (front >= distance) break;
+    const double x = length > 0.0 ? std::min((distance - front) / length, 1.0) : 1.0;
+    for (int c = 0; c < 3; ++c) {
+      // A sample is homogeneous: its optical depth grows linearly, its light with what it absorbs.
+      const double alpha = static_cast<double>(sample.alpha[c]);
+      const double alpha_in_front = 1.0 - std::pow(1.0 - alpha, x);
+      const double share = alpha > 0.0 ? alpha_in_front / alpha : x;
+      result.airlight[c] += result.transmittance[c] * static_cast<double>(sample.color[c]) * share;
+      result.transmittance[c] *= 1.0 - alpha_in_front;
+    }
+  }
+  return result;
+}
+
 struct HeldOutError {
   double transmittance = 0.0;
   double airlight = 0.0;  // relative to the pixel's own without holdout, or the frame's rms
@@ -59,9 +83,8 @@ HeldOutError held_out_error(const DeepFrame& deep, const Frame& wall, double sca
   HeldOutError error;
   for (std::size_t i = 0; i < deep.count(); ++i) {
     const auto samples = deep.pixel(i);
-    const HeldOut seen =
-        held_out(samples.data(), samples.size(), static_cast<double>(wall.depth[i]));
-    const HeldOut all = held_out(samples.data(), samples.size(), 1e20);
+    const HeldOut seen = held_out(samples, static_cast<double>(wall.depth[i]));
+    const HeldOut all = held_out(samples, 1e20);
     for (int c = 0; c < 3; ++c) {
       const std::size_t at = 3 * i + static_cast<std::size_t>(c);
       error.transmittance =
@@ -128,7 +151,7 @@ void expect_flattened_is_flat(Scene scene, const Surface& behind = wall(-0.3, 0.
   const double scale = rms(flat.beauty);
   for (std::size_t i = 0; i < deep.count(); ++i) {
     const auto samples = deep.pixel(i);
-    const HeldOut all = held_out(samples.data(), samples.size(), 2e30);
+    const HeldOut all = held_out(samples, 2e30);
     double alpha = 0.0;
     for (int c = 0; c < 3; ++c) {
       const double beauty = flat.beauty[4 * i + static_cast<std::size_t>(c)];
@@ -255,8 +278,7 @@ double worst(const RayProfile& ray, const DeepTolerance& tolerance,
              const std::vector<DeepSample>& samples) {
   double worst = 0.0;
   for (std::size_t i = 0; i < ray.size(); ++i) {
-    const HeldOut seen =
-        held_out(samples.data(), samples.size(), static_cast<double>(ray.distances[i]));
+    const HeldOut seen = held_out(samples, static_cast<double>(ray.distances[i]));
     for (int c = 0; c < 3; ++c) {
       worst = std::max(
           {worst,
@@ -314,7 +336,7 @@ TEST(DeepSamples, KeepTheToleranceAndAllOfTheRay) {
         std::vector<DeepSample> samples;
         fit_deep_samples(ray, tolerance, samples);
         EXPECT_LE(worst(ray, tolerance, samples), 1.0 + 1e-4) << depth << " " << error;
-        const HeldOut all = held_out(samples.data(), samples.size(), 1e9);
+        const HeldOut all = held_out(samples, 1e9);
         for (int c = 0; c < 3; ++c) {
           EXPECT_NEAR(all.airlight[c], ray.airlight.back()[c], 3e-6 * ray.airlight.back()[c]);
           EXPECT_NEAR(all.transmittance[c], ray.transmittance.back()[c], 1e-6);

@@ -1,8 +1,41 @@
 #include "tests/render/gl/gl_frames.h"
 
+#include <epoxy/gl.h>
+
+#include <string_view>
+#include <utility>
+
 #include "tests/render/test_scenes.h"
 
 namespace brume::gl {
+namespace {
+
+void next_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* text,
+                  const void* to) {
+  if (severity == GL_DEBUG_SEVERITY_NOTIFICATION || type == GL_DEBUG_TYPE_PERFORMANCE) return;
+  auto& messages = *static_cast<std::vector<std::string>*>(const_cast<void*>(to));
+  // A driver that complains in every call must not fill the memory.
+  constexpr std::size_t max_value = 1000;
+  if (messages.size() >= max_value) return;
+  messages.emplace_back(
+      text, length >= 0 ? static_cast<std::size_t>(length) : std::string_view(text).size());
+}
+
+}  // namespace
+
+Messages::Messages() {
+  glEnable(GL_DEBUG_OUTPUT);
+  glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+  glDebugMessageCallback(next_message, &messages_);
+}
+
+Messages::~Messages() {
+  glDebugMessageCallback(nullptr, nullptr);
+}
+
+std::vector<std::string> Messages::collect() {
+  return std::exchange(messages_, {});
+}
 
 Settings quick_slices() {
   Settings settings = sliced_settings({}, 12);

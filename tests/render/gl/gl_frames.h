@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "brume/scene.h"
 #include "render/gl/device.h"
@@ -16,6 +17,22 @@ namespace brume::gl {
 
 // Both backends make tables alike; small ones are quicker.
 Settings quick_slices();
+
+// Collects driver messages (KHR_debug) of the context current at construction, except
+// notifications. Must be destroyed before the context.
+class Messages {
+ public:
+  Messages();
+  ~Messages();
+  Messages(const Messages&) = delete;
+  Messages& operator=(const Messages&) = delete;
+
+  // Messages since the last call.
+  std::vector<std::string> collect();
+
+ private:
+  std::vector<std::string> messages_;
+};
 
 // A renderer whose driver's messages are failures.
 class GlFrames : public testing::Test {

@@ -7,6 +7,7 @@
 #include "brume/edits.h"
 #include "brume/render.h"
 #include "tests/fog_bank.h"
+#include "tests/render/test_scenes.h"
 
 namespace brume {
 namespace {
@@ -168,19 +169,18 @@ TEST(MergedMedium, MayShineAndScatter) {
   std::vector<Gaussian> bank = fog_bank(bank_size, 1.0, 1);
   for (Gaussian& g : bank) g.optics.emission = glm::dvec3(g.center.x > 0.0 ? 1.0 : 0.2);
   scene.medium = medium_of(bank);
-  RenderRequest request;
-  request.film = Film{32, 24};
-  request.backend = Backend::cpu;
-  request.airlight = AirlightMethod::sliced;
-  request.scattering = Scattering::multiple;
-  const auto mean = [&](int slices) {
-    request.slices = slices;
-    const Frame frame = *render(scene, request);
-    EXPECT_EQ(frame.statistics.gaussians_merged > 0, slices < 32);
+  scene.film = {24, 18};
+  Settings settings = all_orders(8);
+  const auto mean = [&] {
+    const Frame frame = render_frame(scene, settings);
+    EXPECT_EQ(frame.statistics.gaussians_merged > 0, settings.merge_error > 0.0);
     return mean_airlight(frame);
   };
-  const double exact = mean(48);
-  EXPECT_NEAR(mean(8), exact, 0.03 * exact);
+  settings.merge_error = 0.02;
+  const double merged = mean();
+  settings.merge_error = 0.0;
+  const double exact = mean();
+  EXPECT_NEAR(merged, exact, 0.03 * exact);
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ TEST(EndlessFog, ScattersALampsLightAsInTheExactSolution) {
       Scene scene = fog_with_a_lamp(density);
       scene.optics.albedo = glm::dvec3(albedo);
       scene.camera.target = targets[index++ % std::size(targets)];
-      const Frame frame = render_frame(scene, sliced(32, Scattering::multiple));
+      const Frame frame = render_frame(scene, all_orders(32, {.nodes = 40'000}));
       const double exact = exact_airlight(fluence, scene);
       EXPECT_NEAR(static_cast<double>(frame.airlight[0]), exact, bound * exact)
           << density << ' ' << albedo;

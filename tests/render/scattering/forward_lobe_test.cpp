@@ -57,7 +57,9 @@ TEST(ForwardLobe, KeepsAUniformFieldBesideSurfaces) {
   for (const double x : {20.0, -20.0}) {
     scene.surfaces.push_back(placed(Primitive::Shape::sphere, glm::dvec3(0.1), {x, 0.0, x}, 1.0));
   }
-  for (const double g : anisotropies) EXPECT_LT(furnace_error(scene, g, {}), 0.015) << g;
+  for (const double g : {-0.5, 0.9}) {
+    EXPECT_LT(furnace_error(scene, g, {.nodes = 40'000}), 0.015) << g;
+  }
 }
 
 // Walls of a closed room of fog.

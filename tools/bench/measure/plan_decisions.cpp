@@ -165,12 +165,6 @@ Frame render_planned(const Scene& scene, AirlightMethod method) {
   return render_frame(renderer, scene, settings_of(method));
 }
 
-bool leaves_out(const Frame& frame, const PlanDecision& decision) {
-  return std::ranges::any_of(frame.statistics.skipped, [&](const SkippedStage& skipped) {
-    return skipped.stage == decision.stage;
-  });
-}
-
 double max_change(const Frame& a, const Frame& b, const Frame& scale) {
   const auto change = [&](const std::vector<float> Frame::*layer) {
     double difference = 0.0;

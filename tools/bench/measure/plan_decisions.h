@@ -26,9 +26,6 @@ std::vector<PlanDecision> plan_decisions();
 // Renders with the scene's requested radiance transfer.
 Frame render_planned(const Scene& scene, AirlightMethod method);
 
-// Whether the stage is among those that the frame left out.
-bool leaves_out(const Frame& frame, const PlanDecision& decision);
-
 // Maximum difference of two frames' radiance or transmittance, relative to the maximum of `scale`.
 double max_change(const Frame& a, const Frame& b, const Frame& scale);
 
