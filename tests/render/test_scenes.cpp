@@ -12,6 +12,7 @@
 #include "core/scene/lights/photometric_profile.h"
 #include "core/scene/lights/radiance_map.h"
 #include "core/transport/optical_depth.h"
+#include "render/renderer.h"
 #include "tests/random.h"
 
 namespace brume {
