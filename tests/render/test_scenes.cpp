@@ -250,7 +250,7 @@ namespace {
 // picture.
 Frame traced_to(const Scene& scene, double airlight_bias, double picture_bias) {
   Renderer renderer;  // goes on with the paths of the frame before
-  for (int paths = 64;; paths *= 2) {
+  for (int paths = 128;; paths *= 2) {
     Frame frame = render_frame(renderer, scene, path_traced(paths));
     const RelativeNoise noise = *relative_noise(frame);
     const double errors = 3.0 / std::sqrt(static_cast<double>(frame.depth.size()));
