@@ -250,7 +250,7 @@ TEST(Regions, HaveTheBitsOfTheWholePictureByEveryMethod) {
     expect_regions_match(1, 4, {{120, 72}, on_cpu(method)});
   }
   expect_regions_match(101, 2, {{120, 72}, on_cpu(AirlightMethod::sliced, Scattering::multiple)});
-  expect_regions_match(201, 4, {{60, 36}, on_cpu(AirlightMethod::path)});
+  expect_regions_match(201, 4, {{120, 72}, on_cpu(AirlightMethod::path)});
   expect_regions_match(301, 1, {{40, 20}, on_cpu(AirlightMethod::reference)});
 }
 
