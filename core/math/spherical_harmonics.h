@@ -82,19 +82,6 @@ Value sh_dot(const ShVector<Value>& f, const ShVector<Real>& g) {
   return sum;
 }
 
-// The spherical convolution f * g with a zonal kernel: coefficient l, m is
-// sqrt(4 pi / (2 l + 1)) g_l f_lm.
-template <class Value, class Real>
-ShVector<Value> sh_convolve(const ShVector<Value>& f, const ZonalSh<Real>& g) {
-  ShVector<Value> result(f.order());
-  for (int l = 0; l < f.order(); ++l) {
-    const Real factor =
-        std::sqrt(4 * std::numbers::pi_v<Real> / Real(2 * l + 1)) * g[static_cast<std::size_t>(l)];
-    for (int m = -l; m <= l; ++m) result[sh_index(l, m)] = factor * f[sh_index(l, m)];
-  }
-  return result;
-}
-
 // The function turned by the unit quaternion q: result(w) = f(q^-1 w). Exact but for rounding.
 template <class Value>
 ShVector<Value> sh_rotate(const ShVector<Value>& f, const glm::dquat& q);

@@ -23,9 +23,6 @@ struct Placement {
   [[nodiscard]] glm::dvec3 point_to_world(const glm::dvec3& p) const {
     return translate + rotate * (scale * p);
   }
-  [[nodiscard]] glm::dvec3 vector_to_world(const glm::dvec3& v) const {
-    return rotate * (scale * v);
-  }
   // Keeps the length: the scale is the same along all axes. Directions turn in the same way.
   [[nodiscard]] glm::dvec3 normal_to_world(const glm::dvec3& n) const { return rotate * n; }
 

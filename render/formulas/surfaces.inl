@@ -1,7 +1,7 @@
 // Light at surfaces.
 
 // Irradiance of a surface by light around a point light, of which the bands 0, 1, 2 and 4 are of
-// these strengths: sh_convolve() with clamped_cosine_sh(), written out. The other bands vanish.
+// these strengths: convolved with clamped_cosine_sh(), written out. The other bands vanish.
 FORMULA Real band_irradiance(Real cosine, Real band_0, Real band_1, Real band_2, Real band_4) {
   const Real x2 = cosine * cosine;
   const Real legendre_2 = mul_add(1.5, x2, -0.5);

@@ -83,7 +83,6 @@ class MediumIndex {
   [[nodiscard]] double max_displacement() const;
   // g of its phase function, see henyey_greenstein().
   [[nodiscard]] double anisotropy() const { return anisotropy_; }
-  [[nodiscard]] const CullingTolerance& culling() const { return tolerance_; }
   // Optical depth below which any Gaussian may be culled from a path.
   [[nodiscard]] double tolerance() const { return tolerance_.depth; }
   // Segments below this optical depth are skipped, except in homogeneous fog, where short segments

@@ -145,7 +145,8 @@ TEST(Ellipsoids, TilesListAllThatTheirRaysMeet) {
   Scene scene = ellipsoid_scene(60, 2.0, 50.0, 3);
   scene.camera.eye = {0.4, 0.3, 3.3};
   const Film film{160, 120};
-  const MediumIndex medium(scene.medium, culling_tolerance(scene.medium, 1e-3));
+  const CullingTolerance tolerance = culling_tolerance(scene.medium, 1e-3);
+  const MediumIndex medium(scene.medium, tolerance);
   const CameraRays rays(scene.camera, film);
   const Tiles tiles(film);
   const Tiles::Lists lists = tiles.lists(medium, rays);
@@ -176,7 +177,7 @@ TEST(Ellipsoids, TilesListAllThatTheirRaysMeet) {
     ball.shape = {};
     balls.append(ball);
   }
-  const MediumIndex around(balls, medium.culling());
+  const MediumIndex around(balls, tolerance);
   EXPECT_LT(listed, 0.9 * static_cast<double>(tiles.lists(around, rays).gaussians.size()));
 }
 

@@ -16,6 +16,7 @@
 #include "brume/render.h"
 #include "core/scene/materials/brdf.h"
 #include "core/transport/point_spread.h"
+#include "tests/core/math/sh_convolve.h"
 #include "tests/render/regions.h"
 #include "tests/render/repeatable_frames.h"
 #include "tests/render/test_scenes.h"

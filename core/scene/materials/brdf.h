@@ -39,7 +39,7 @@ class BrdfSh {
   std::vector<ShVector<glm::dvec3>> rows_;  // polar angles 0 to pi/2; one row if diffuse
 };
 
-// Zonal coefficients of max(0, cos theta): sh_convolve() with them gives irradiance.
+// Zonal coefficients of max(0, cos theta): convolution with them gives irradiance.
 ZonalSh<double> clamped_cosine_sh();
 
 // Per band, the factor of a convolution with max(0, cos theta) / pi.

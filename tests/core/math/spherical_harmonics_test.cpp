@@ -8,6 +8,7 @@
 
 #include "core/math/sphere_rule.h"
 #include "core/scene/materials/brdf.h"
+#include "tests/core/math/sh_convolve.h"
 #include "tests/random.h"
 
 namespace brume {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/math/spherical_harmonics.h"
+#include "tests/core/math/sh_convolve.h"
 
 namespace brume {
 

@@ -18,6 +18,7 @@
 #include "core/transport/closed_form_airlight.h"
 #include "core/transport/point_spread.h"
 #include "render/reference/airlight_integral.h"
+#include "tests/core/math/sh_convolve.h"
 #include "tests/core/transport/incident_light.h"
 #include "tests/render/test_scenes.h"
 

@@ -20,6 +20,7 @@
 #include "render/simd/ggx_kernels.h"
 #include "render/simd/reflection_kernels.h"
 #include "render/visibility/ray_caster.h"
+#include "tests/core/math/sh_convolve.h"
 #include "tests/core/transport/incident_light.h"
 #include "tests/random.h"
 #include "tests/render/test_scenes.h"

@@ -18,6 +18,7 @@
 #include "core/scene/placement.h"
 #include "render/reference/surface_reference.h"
 #include "render/transfer/sh_material.h"
+#include "tests/core/math/sh_convolve.h"
 #include "tests/random.h"
 #include "tests/render/test_scenes.h"
 
