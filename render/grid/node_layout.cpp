@@ -1,35 +1,29 @@
 #include "render/grid/node_layout.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace brume {
 namespace {
 
-// Spacings of an octave. The fewer there are, the seldomer a medium that grows changes its own, and
-// the more nodes of the budget stay unused.
-constexpr double spacings_per_octave = 32.0;
-
-// The spacing after so many steps, exactly twice that of an octave of steps before. A float, to be
-// identical wherever it is used.
-float spacing_after(int steps) {
-  return static_cast<float>(std::exp2(steps / spacings_per_octave));
-}
-
-// The most layers that cover so many cells, wherever these begin.
-glm::dvec3 max_layers(const glm::dvec3& cells) {
-  return glm::ceil(cells) + 1.0;
-}
-
-float smallest_spacing(const glm::dvec3& extent, double min_spacing, int max_nodes) {
-  const double least = std::max(min_spacing, std::cbrt(extent.x * extent.y * extent.z / max_nodes));
-  constexpr double rounding = 1e-6;
-  int steps = static_cast<int>(std::ceil(spacings_per_octave * std::log2(least) - rounding));
-  for (;; ++steps) {
-    const glm::dvec3 layers = max_layers(extent / static_cast<double>(spacing_after(steps)));
-    if (layers.x * layers.y * layers.z <= static_cast<double>(max_nodes)) {
-      return spacing_after(steps);
-    }
+// Centred, with `more` layers than it takes.
+NodeLayout centred(const glm::dvec3& low, const glm::dvec3& high, double min_spacing, int max_nodes,
+                   const glm::dvec3& more) {
+  NodeLayout layout;
+  GridNodes& nodes = layout.nodes;
+  const glm::dvec3 extent = high - low;
+  double spacing = std::max(min_spacing, std::cbrt(extent.x * extent.y * extent.z / max_nodes));
+  for (;; spacing *= 1.02) {
+    nodes.spacing = static_cast<float>(spacing);
+    const glm::dvec3 cells = glm::ceil(extent / static_cast<double>(nodes.spacing)) + more;
+    if ((cells.x + 1.0) * (cells.y + 1.0) * (cells.z + 1.0) > static_cast<double>(max_nodes))
+      continue;
+    nodes.count = glm::max(glm::ivec3(cells) + 1, 2);
+    const glm::dvec3 covered = glm::dvec3(nodes.count - 1) * static_cast<double>(nodes.spacing);
+    layout.first = 0.5 * (low + high) - 0.5 * covered;
+    return layout;
   }
 }
 
@@ -37,17 +31,20 @@ float smallest_spacing(const glm::dvec3& extent, double min_spacing, int max_nod
 
 NodeLayout lay_out(const glm::dvec3& low, const glm::dvec3& high, double min_spacing, int max_nodes,
                    const AxisPlanes& planes) {
-  NodeLayout layout;
-  layout.nodes.spacing = smallest_spacing(high - low, min_spacing, max_nodes);
-  const double spacing = static_cast<double>(layout.nodes.spacing);
-  for (int k = 0; k < 3; ++k) {
-    const double place = 0.5 * spacing;
-    const double shift = planes.shift(k, low[k] - spacing, high[k] + spacing, place, spacing);
-    const double first = std::floor((low[k] - place - shift) / spacing);
-    const double last = std::ceil((high[k] - place - shift) / spacing);
-    layout.first[k] = place + shift + first * spacing;
-    layout.nodes.count[k] = static_cast<int>(last - first) + 1;
-  }
+  const auto shift_of = [&](const NodeLayout& layout) {
+    const double spacing = static_cast<double>(layout.nodes.spacing);
+    glm::dvec3 shift(0.0);
+    for (int k = 0; k < 3; ++k) {
+      shift[k] = planes.shift(k, low[k] - spacing, high[k] + spacing, layout.first[k], spacing);
+    }
+    return shift;
+  };
+  const NodeLayout plain = centred(low, high, min_spacing, max_nodes, glm::dvec3(0.0));
+  const glm::bvec3 is_on_layer = glm::notEqual(shift_of(plain), glm::dvec3(0.0));
+  if (!glm::any(is_on_layer)) return plain;
+  const glm::dvec3 more(is_on_layer);
+  NodeLayout layout = centred(low, high, min_spacing, max_nodes, more);
+  layout.first += more * shift_of(layout);
   return layout;
 }
 

@@ -12,10 +12,9 @@ struct NodeLayout {
   GridNodes nodes;
 };
 
-// Nodes from `low` to `high` or somewhat beyond, at the smallest spacing, at least `min_spacing`,
-// with about `max_nodes` nodes: a layer more along each axis at most. Spacings are of a fixed
-// series and layers of fixed places, off the planes: a medium that moves or grows a little moves no
-// node, which would be seen as flicker.
+// Nodes from `low` to `high` at the smallest spacing, at least `min_spacing`, with at most
+// `max_nodes` nodes. Where planes lie on layers of them, there is one layer more, and all are moved
+// off the planes. The spacing is a float, to be identical wherever it is used.
 NodeLayout lay_out(const glm::dvec3& low, const glm::dvec3& high, double min_spacing, int max_nodes,
                    const AxisPlanes& planes);
 

@@ -94,20 +94,5 @@ TEST(Flicker, OfAMovingLightIsInvisible) {
   EXPECT_LT(flicker, invisible);
 }
 
-TEST(Flicker, OfADriftingCloudIsInvisible) {
-  const Scene cloud = cloud_scene(40, 2.0);
-  const double flicker = max_flicker(
-      [&cloud](double t) {
-        Scene scene = light_over_a_ground();
-        scene.medium = cloud.medium;
-        scene.medium.set_homogeneous_density(0.02);
-        for (glm::dvec3& center : scene.medium.columns().centers)
-          center += glm::dvec3(0.1 * t, 1.5, 0.0);
-        return scene;
-      },
-      12);
-  EXPECT_LT(flicker, invisible);
-}
-
 }  // namespace
 }  // namespace brume
