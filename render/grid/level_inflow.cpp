@@ -46,6 +46,7 @@ void LevelInflow::see(const RayCaster& surfaces, std::span<const std::uint32_t> 
 }
 
 void LevelInflow::apply(std::span<const float> around, std::span<float> inflow) const {
+  constexpr float min_weight = 1e-4f;  // all that is seen may be corners of no weight
   const std::array<std::size_t, 8> corners = resampling_.corners();
   for (const BorderNode& node : border_) {
     const std::array<float, 8> weights = node.cell.weights();
@@ -53,8 +54,9 @@ void LevelInflow::apply(std::span<const float> around, std::span<float> inflow) 
     float seen = 0.0f;
     for (std::size_t k = 0; k < corners.size(); ++k) {
       if ((node.hidden >> k & 1) != 0) continue;
-      sum += weights[k] * around[node.cell.first + corners[k]];
-      seen += weights[k];
+      const float weight = std::max(weights[k], min_weight);
+      sum += weight * around[node.cell.first + corners[k]];
+      seen += weight;
     }
     inflow[node.index] = seen > 0.0f ? sum / seen : 0.0f;
   }

@@ -207,10 +207,6 @@ bool is_indoors(const RayCaster& surfaces, const glm::dvec3& place) {
   return hidden_share(surfaces, place) >= 0.75;
 }
 
-bool is_enclosed(const RayCaster& surfaces, const glm::dvec3& place) {
-  return hidden_share(surfaces, place) >= closed_share;
-}
-
 std::optional<Box> room_around(const RayCaster& surfaces, const glm::dvec3& place) {
   constexpr double corners = 1.5;  // no farther than so many times what is closed
   const double widest = longest_side(surfaces.bounds()) / 3.0;
@@ -242,6 +238,17 @@ std::optional<Box> room_around(const RayCaster& surfaces, const glm::dvec3& plac
   }
   if (box.low == box.high || longest_side(box) > widest) return std::nullopt;
   return box;
+}
+
+std::optional<Box> closed_room_around(const RayCaster& surfaces, const glm::dvec3& place) {
+  constexpr double flattest_room = 0.2;  // else a ground with walls or leaves around the place
+  if (hidden_share(surfaces, place) < closed_share) return std::nullopt;
+  if (const std::optional<Box> room = room_around(surfaces, place)) return room;
+  const Box& all = surfaces.bounds();
+  const glm::dvec3 sides = all.high - all.low;
+  if (std::min({sides.x, sides.y, sides.z}) < flattest_room * longest_side(all))
+    return std::nullopt;
+  return all;
 }
 
 double FogExtent::ray_distance(const glm::dvec3& eye) const {

@@ -72,10 +72,11 @@ bool close_in(const RayCaster& surfaces, std::span<const glm::dvec3> lights);
 // wide as a ground; nullopt if it is in the open, or if they are more than a third as wide as
 // all surfaces: then nodes for all of these do.
 std::optional<Box> room_around(const RayCaster& surfaces, const glm::dvec3& place);
+// If surfaces hide nine tenths of the directions around a place: the room there, or the bounds of
+// all surfaces if these are one room.
+std::optional<Box> closed_room_around(const RayCaster& surfaces, const glm::dvec3& place);
 // Whether surfaces hide three quarters of the directions around a place.
 bool is_indoors(const RayCaster& surfaces, const glm::dvec3& place);
-// Whether they hide nine tenths of them.
-bool is_enclosed(const RayCaster& surfaces, const glm::dvec3& place);
 
 // The share of light from far away that homogeneous fog lets through to the middle of the scene, of
 // a scene with a directional light or an environment (see FogExtent); else 1.

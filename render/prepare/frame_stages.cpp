@@ -177,8 +177,8 @@ LitSpace FrameStages::lit_space(const FrameContext& work) const {
     // Then light is everywhere, and finest nodes are around Gaussians: a forest in mist was 8% too
     // bright else. A room is dark, and nodes as far apart as it is high see through its walls.
     if (is_lit_from_afar && has_gaussians) {
-      if (!is_enclosed(surfaces, work.rays.eye())) return {};
-      return {room_around(surfaces, work.rays.eye()).value_or(surfaces.bounds())};
+      const std::optional<Box> room = closed_room_around(surfaces, work.rays.eye());
+      return room ? LitSpace{within(*room, work.fog_extent.fog())} : LitSpace();
     }
     std::vector<glm::dvec3> lights;
     for (const PointLight& light : work.plan.lights) {

@@ -10,7 +10,7 @@ namespace brume {
 
 void keep_frame_memory() {
 #ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the most that glibc allows: an array of 2 million pixels
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // an array of 2 million pixels
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
 #endif
 }

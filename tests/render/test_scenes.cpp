@@ -246,8 +246,7 @@ Settings path_traced(int paths) {
 
 namespace {
 
-// As many paths as tell a bias of so much by three standard errors, of the airlight and of the
-// picture.
+// Traces paths until three standard errors are below a bias, of the airlight and of the picture.
 Frame traced_to(const Scene& scene, double airlight_bias, double picture_bias) {
   Renderer renderer;  // goes on with the paths of the frame before
   for (int paths = 128;; paths *= 2) {
@@ -256,7 +255,9 @@ Frame traced_to(const Scene& scene, double airlight_bias, double picture_bias) {
     const double errors = 3.0 / std::sqrt(static_cast<double>(frame.depth.size()));
     const bool tells =
         errors * noise.airlight < airlight_bias && errors * noise.picture < picture_bias;
-    if (tells || paths >= 4096) return frame;
+    if (!tells && paths < 4096) continue;
+    EXPECT_TRUE(tells) << "too noisy";
+    return frame;
   }
 }
 

@@ -286,7 +286,7 @@ TEST(DistantSpread, IntegratesToOneInThinMedia) {
   for (std::size_t l = 1; l < thin.size(); ++l) EXPECT_NEAR(thin[l], 0.0, 1e-12);
 }
 
-// By its definition: light along -z meets the view ray at t after a path r in the ball.
+// This is its definition: light along -z meets the view ray at t after a path r in the ball.
 double distant_spread(double T, double gamma) {
   const auto attenuation = [&](double t) {
     const double x = t * std::sin(gamma);

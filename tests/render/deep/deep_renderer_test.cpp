@@ -50,7 +50,6 @@ class DeepFrame {
   DeepStatistics statistics_;
 };
 
-// The largest differences from a flat frame of what is in front of its surfaces.
 // The view of samples up to a distance: nothing of a surface there, or behind it.
 struct HeldOut {
   glm::dvec3 airlight{0.0};
@@ -75,6 +74,7 @@ HeldOut held_out(std::span<const DeepSample> samples, double distance) {
   return result;
 }
 
+// The largest differences from a flat frame of what is in front of its surfaces.
 struct HeldOutError {
   double transmittance = 0.0;
   double airlight = 0.0;  // relative to the pixel's own without holdout, or the frame's rms
