@@ -25,31 +25,39 @@ NamedCamera* find(CameraList& list, const std::string& name) {
   return found == list.others.end() ? nullptr : &*found;
 }
 
-// `camera` has a name of its own.
-void add(Document& document, NamedCamera camera, const QString& text) {
+// `camera` has a name of its own. False, with a message, if there are as many as allowed.
+bool add(Document& document, NamedCamera camera, const QString& text) {
   CameraList list = camera_list(document);
   if (list.others.size() >= limits::cameras) {
     Q_EMIT document.refused(Document::tr("A scene has %1 cameras at most.").arg(limits::cameras));
-    return;
+    return false;
   }
   list.others.push_back(std::exchange(list.in_use, std::move(camera)));
   set_scene_part(document, std::move(list), text);
+  return true;
+}
+
+// Files may have the name, with a number as well.
+std::string short_name(const QString& name) {
+  return allowed_name(name, 10).toStdString();
 }
 
 }  // namespace
 
-void add_camera(Document& document, const Camera& camera) {
+bool add_camera(Document& document, const Camera& camera) {
   const std::string name = free_camera_name(document.scene(), default_camera_name);
-  add(document, {name, camera, {}}, undo_text("Add camera %1").arg(QString::fromStdString(name)));
+  return add(document, {name, camera, {}},
+             undo_text("Add camera %1").arg(QString::fromStdString(name)));
 }
 
-void duplicate_camera(Document& document, const QString& name) {
+bool duplicate_camera(Document& document, const QString& name) {
   CameraList list = camera_list(document);
   const NamedCamera* camera = find(list, name.toStdString());
-  if (!camera) return;
+  if (!camera) return false;
   NamedCamera copy = *camera;
-  copy.name = free_camera_name(document.scene(), copy.name);
-  add(document, std::move(copy), undo_text("Duplicate camera %1").arg(name));
+  const std::string wanted = short_name(name);
+  copy.name = free_camera_name(document.scene(), wanted.empty() ? default_camera_name : wanted);
+  return add(document, std::move(copy), undo_text("Duplicate camera %1").arg(name));
 }
 
 void use_camera(Document& document, const QString& name) {
@@ -61,10 +69,10 @@ void use_camera(Document& document, const QString& name) {
 }
 
 void rename_camera(Document& document, const QString& name, const QString& new_name) {
-  const std::string wanted = allowed_name(new_name).toStdString();
+  const std::string wanted = short_name(new_name);
   CameraList list = camera_list(document);
   NamedCamera* camera = find(list, name.toStdString());
-  if (!camera || wanted.empty() || wanted == camera->name) {
+  if (!camera || new_name == name || wanted.empty() || wanted == camera->name) {
     document.announce(Change::part);  // fields show what is, not what was wanted
     return;
   }

@@ -12,11 +12,11 @@ class Document;
 
 // Edits of the scene's cameras, each one undo step. Cameras are known by their names.
 
-// Adds a camera, which is then in use.
-void add_camera(Document& document, const Camera& camera);
+// Adds a camera, which is then in use; false if the scene has as many as it may.
+bool add_camera(Document& document, const Camera& camera);
 void use_camera(Document& document, const QString& name);
-// Adds a copy with its keyframes, which is then in use.
-void duplicate_camera(Document& document, const QString& name);
+// Adds a copy with its keyframes, likewise.
+bool duplicate_camera(Document& document, const QString& name);
 // Surrounding spaces do not count. No change for an empty name; a taken one gets a number.
 void rename_camera(Document& document, const QString& name, const QString& new_name);
 // If it is in use, another one is then. The only one is kept.

@@ -24,7 +24,7 @@ class CameraFrame : public QWidget {
   static constexpr double action_side = 0.9;
   static constexpr double title_side = 0.8;
 
-  // What to compose by.
+  // Guides help to compose.
   struct Guides {
     bool thirds = false;
     bool safe_areas = false;  // of action and of titles

@@ -7,11 +7,12 @@ MethodBox::MethodBox(QWidget* parent) : QComboBox(parent) {
   addItem(tr("Path traced"));
   addItem(tr("Path traced, denoised"));
   setToolTip(
-      tr("As in the view: by View > Quality, soon done, or by 64 paths, denoised, if the view is "
+      tr("As in the view: by View > Quality, soon done, or by %1 paths, denoised, if the view is "
          "path traced. Path traced: all light, scattered and "
          "reflected any number of times, with noise that four times the paths halve. Denoised: "
          "begins with the solved picture and keeps of the paths what stands out from their noise; "
-         "regions, and layers of light, keep the noise"));
+         "regions, and layers of light, keep the noise")
+          .arg(first_paths(Denoising::solved)));
 }
 
 std::optional<Denoising> MethodBox::paths() const {

@@ -98,8 +98,9 @@ void FrameOutput::create_actions() {
   };
   actions_ = {
       add(tr("Render &Picture"), "render.picture",
-          tr("Renders what the scene's camera sees now, into the picture viewer and the file "
-             "(F12)"),
+          tr("Renders what the scene's camera sees now, or the view where the panel Output says "
+             "so, "
+             "into the picture viewer and the file (F12)"),
           [this] { render(false); }),
       add(tr("Render &Animation"), "render.animation",
           tr("Renders all frames of the timeline to the file (Ctrl+F12)"),
@@ -244,8 +245,11 @@ FrameExportRequest FrameOutput::output_request(bool animation) const {
   const Scene& scene = work_.document.scene();
   const Output& output = scene.output;
   FrameExportRequest request = view_request(output.file);
-  if (!output_->renders_view()) request.request.camera.reset();  // the scene's
-  if (const auto& region = work_.views.perspective().camera_frame().region()) {
+  const bool renders_view = output_->renders_view();
+  if (!renders_view) request.request.camera.reset();  // the scene's
+  // The region is marked in the picture of the scene's camera.
+  const auto& region = work_.views.perspective().camera_frame().region();
+  if (region && !renders_view) {
     request.request.film = film_region(scene.film, {region->left(), region->top()},
                                        {region->right(), region->bottom()});
   }
@@ -259,8 +263,7 @@ FrameExportRequest FrameOutput::output_request(bool animation) const {
   }
   request.info.bits = output_->png_bits();
   if (output.exposure) request.info.look.exposure = *output.exposure;
-  const QString camera =
-      output_->renders_view() ? tr("View") : QString::fromStdString(scene.camera_name);
+  const QString camera = renders_view ? tr("View") : QString::fromStdString(scene.camera_name);
   if (animation) {
     request.range = {work_.timeline.first(), work_.timeline.last(),
                      work_.timeline.frames_per_second()};

@@ -2,7 +2,6 @@
 
 #include <QComboBox>
 #include <QImage>
-#include <QLabel>
 #include <QLineEdit>
 #include <QStandardItemModel>
 #include <fstream>
@@ -52,20 +51,32 @@ constexpr const char* write_input =
 
 constexpr const char* hang_when_closed = "cat > /dev/null\n: > \"$0.closed\"\nexec sleep 600\n";
 
-// A folder with a program `ffmpeg`, and nothing else on the PATH.
-class FakeFfmpeg {
+// Programs are found in one folder only while this lives.
+class OtherPath {
  public:
-  explicit FakeFfmpeg(const char* script) : path_(qgetenv("PATH")) {
-    const QString file = folder_.filePath("ffmpeg");
-    std::ofstream(file.toStdString()) << "#!/bin/sh\nPATH=/usr/bin:/bin\n" << script;
-    QFile::setPermissions(file, QFile::ReadOwner | QFile::ExeOwner);
-    qputenv("PATH", folder_.path().toUtf8());
+  explicit OtherPath(const QString& folder) : path_(qgetenv("PATH")) {
+    qputenv("PATH", folder.toUtf8());
   }
-  ~FakeFfmpeg() { qputenv("PATH", path_); }
+  ~OtherPath() { qputenv("PATH", path_); }
+  OtherPath(const OtherPath&) = delete;
+  OtherPath& operator=(const OtherPath&) = delete;
 
  private:
   QByteArray path_;
+};
+
+// A folder with a program `ffmpeg`, and nothing else on the PATH.
+class FakeFfmpeg {
+ public:
+  explicit FakeFfmpeg(const char* script) {
+    const QString file = folder_.filePath("ffmpeg");
+    std::ofstream(file.toStdString()) << "#!/bin/sh\nPATH=/usr/bin:/bin\n" << script;
+    QFile::setPermissions(file, QFile::ReadOwner | QFile::ExeOwner);
+  }
+
+ private:
   QTemporaryDir folder_;
+  OtherPath path_{folder_.path()};
 };
 
 // An export of frames of the dimming scene into an empty folder of its own.
@@ -256,15 +267,13 @@ class AnimationExportTest : public QObject {
   }
 
   void without_ffmpeg_video_is_disabled() {
-    const QByteArray path = qgetenv("PATH");
-    qputenv("PATH", "/nowhere");
+    const OtherPath path("/nowhere");
     Desk desk(dimming_scene());
     const auto* format = desk.findChild<QComboBox*>("output_format");
     const QStandardItem* video = qobject_cast<QStandardItemModel*>(format->model())->item(3);
     QVERIFY(!video->isEnabled());
     type(desk, "output_file", "a.mp4");
     QVERIFY(label_text(desk, "output_names").contains("ffmpeg"));
-    qputenv("PATH", path);
   }
 };
 

@@ -1,14 +1,13 @@
 // Cameras in the menu Add and as rows of the outliner.
 
-#include <QLabel>
 #include <QLineEdit>
-#include <QTabWidget>
 #include <QTreeWidget>
 #include <QTreeWidgetItemIterator>
 
 #include "app/commands/edit_cameras.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/value_field.h"
+#include "brume/limits.h"
 #include "tests/app/desk.h"
 #include "tests/app/test_window.h"
 
@@ -156,6 +155,46 @@ class OutlinerCamerasTest : public QObject {
     QVERIFY(choose_from_menu(*rows_of.viewport(), cell_position(rows_of, row(desk, "A wide one")),
                              "Duplicate"));
     QCOMPARE(rows(desk).size(), 2);
+  }
+
+  void names_of_the_greatest_length_leave_room_for_numbers() {
+    const auto name = [](char c) {
+      return QString(static_cast<qsizetype>(limits::name_length), c);
+    };
+    Scene scene = tiny_scene();
+    scene.camera_name = name('n').toStdString();
+    Desk desk(scene);  // it opens in the end what it has saved
+    Document& document = desk.document();
+    rename_camera(document, name('n'), name('n'));
+    QCOMPARE(step_count(document), 0);
+    duplicate_camera(document, name('n'));
+    rename_camera(document, name('n'), name('m'));
+    rename_camera(document, QString::fromStdString(desk.scene().camera_name), name('m'));
+    QCOMPARE(step_count(document), 3);
+    QCOMPARE(rows(desk).size(), 2);
+    for (const QString& row : rows(desk)) QVERIFY(row.contains("mmm"));
+  }
+
+  void the_selection_stays_where_no_camera_can_be_added() {
+    Scene scene = two_cameras();
+    while (scene.cameras.size() < limits::cameras) {
+      scene.cameras.push_back({"other " + std::to_string(scene.cameras.size()), {}, {}});
+    }
+    TestWindow window(scene);
+    QTreeWidget& rows_of = tree(*window);
+    QSignalSpy refused(&window.document(), &Document::refused);
+    click_row(*window, "Point 1");
+    const auto object = window.document().object();
+    QVERIFY(object);
+    invoke(window, "add.camera");
+    QCOMPARE(refused.size(), 1);
+    QVERIFY(window.document().object() == object);
+    QCOMPARE(rows_of.currentItem(), row(*window, "Point 1"));
+    QVERIFY(choose_from_menu(*rows_of.viewport(), cell_position(rows_of, row(*window, "aside")),
+                             "Duplicate"));
+    QCOMPARE(refused.size(), 2);
+    QCOMPARE(rows_of.currentItem(), row(*window, "aside"));
+    QCOMPARE(step_count(window.document()), 0);
   }
 };
 

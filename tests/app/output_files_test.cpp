@@ -1,15 +1,15 @@
 // The panel Output as the one place of renders and exports.
 
-#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDockWidget>
+#include <QLabel>
 #include <QLineEdit>
 
 #include "app/document/paths.h"
 #include "app/export/render_queue.h"
 #include "app/panels/forms/output_panel.h"
 #include "app/pictures/picture_viewer.h"
+#include "app/viewport/camera_frame.h"
 #include "app/viewport/viewport.h"
 #include "app/window/frame_output.h"
 #include "core/io/image/image_file.h"
@@ -86,9 +86,14 @@ class OutputFilesTest : public QObject {
     QCOMPARE(newest(window).name, "Camera, frame 0");
     const std::vector<float> seen_by_camera = newest(window).rgb;
     click(window, "output_from_view");
+    // The region is of the camera's picture.
+    CameraFrame& frame = window.view().camera_frame();
+    frame.set_region(QRectF(0.0, 0.0, 0.5, 0.5));
+    QVERIFY(!window->findChild<QLabel*>("region_text")->isEnabled());
     QVERIFY(render(window));
     QCOMPARE(newest(window).name, "View, frame 0");
     QCOMPARE(newest(window).width, 32);
+    frame.set_region(std::nullopt);
     QVERIFY(newest(window).rgb != seen_by_camera);
     invoke(window, "view.store_camera");
     click(window, "output_from_view");

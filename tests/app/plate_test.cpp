@@ -1,6 +1,5 @@
 // The plate over the camera's frame, and film backs.
 
-#include <QAction>
 #include <QComboBox>
 #include <QImage>
 #include <QPushButton>
@@ -12,6 +11,7 @@
 #include "app/viewport/camera_frame.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/value_field.h"
+#include "core/io/scene/scene_file.h"
 #include "core/scene/cameras.h"
 #include "tests/app/desk.h"
 #include "tests/app/test_window.h"
@@ -20,15 +20,19 @@ using namespace brume;
 
 namespace {
 
-// A red picture of the scene's shape.
-std::filesystem::path red_picture(const TestWindow& window) {
+// A picture of the scene's shape.
+std::filesystem::path plain_picture(const TestWindow& window, const char* name, QColor color) {
   QImage picture(64, 48, QImage::Format_RGB32);
-  picture.fill(Qt::red);
-  picture.save(to_qstring(window.file("red.png")));
-  return window.file("red.png");
+  picture.fill(color);
+  picture.save(to_qstring(window.file(name)));
+  return window.file(name);
 }
 
-// What is drawn over the middle of the camera's frame.
+std::filesystem::path red_picture(const TestWindow& window) {
+  return plain_picture(window, "red.png", Qt::red);
+}
+
+// The color over the middle of the camera's frame.
 QColor drawn(TestWindow& window) {
   CameraFrame& frame = window.view().camera_frame();
   QImage image(frame.size(), QImage::Format_ARGB32_Premultiplied);
@@ -49,6 +53,23 @@ PlatePanel& plates(TestWindow& window) {
 
 QString plate_name(TestWindow& window) {
   return window->findChild<QPushButton*>("plate_picture")->text();
+}
+
+// A picture that nothing can read.
+std::filesystem::path broken_picture(const TestWindow& window) {
+  std::ofstream(window.file("broken.jpg")) << "no picture";
+  return window.file("broken.jpg");
+}
+
+void delete_camera_beside_another(Document& document) {
+  add_camera(document, document.scene().camera);
+  delete_camera(document, "Camera");
+}
+
+// The scene is open at once: what the panel reads is still being read.
+void reopen(TestWindow& window) {
+  const std::filesystem::path file = window.file("scene.brume");
+  window.document().open(load_document(file), file);
 }
 
 }  // namespace
@@ -105,12 +126,92 @@ class PlateTest : public QObject {
     plates(window).set_picture(red_picture(window));
     QTRY_COMPARE(plate_name(window), "red.png");
     QSignalSpy refused(&plates(window), &PlatePanel::refused);
-    std::ofstream(window.file("broken.jpg")) << "no picture";
-    plates(window).set_picture(window.file("broken.jpg"));
+    plates(window).set_picture(broken_picture(window));
     QTRY_COMPARE(refused.size(), 1);
     QVERIFY2(refused[0][0].toString().contains("broken.jpg"), qPrintable(refused[0][0].toString()));
     QCOMPARE(plate_name(window), "red.png");
     QVERIFY(is_drawn(window, 0.5));
+  }
+
+  void a_scene_reopened_while_its_plate_is_read_shows_it() {
+    TestWindow window(tiny_scene());
+    plates(window).set_picture(red_picture(window));
+    QTRY_COMPARE(plate_name(window), "red.png");
+    window->document().create();
+    reopen(window);
+    reopen(window);
+    window.key(Qt::Key_0);
+    QTRY_VERIFY(is_drawn(window, 0.5));
+  }
+
+  void a_broken_picture_chosen_while_the_plate_is_read_leaves_it() {
+    TestWindow window(tiny_scene());
+    plates(window).set_picture(red_picture(window));
+    QTRY_COMPARE(plate_name(window), "red.png");
+    window->document().create();
+    reopen(window);
+    QSignalSpy refused(&plates(window), &PlatePanel::refused);
+    plates(window).set_picture(broken_picture(window));
+    QTRY_COMPARE(refused.size(), 1);
+    window.key(Qt::Key_0);
+    QTRY_VERIFY(is_drawn(window, 0.5));
+  }
+
+  void a_plate_that_is_missing_says_so_and_is_shown_once_it_is_there_again() {
+    TestWindow window(tiny_scene());
+    plates(window).set_picture(red_picture(window));
+    QTRY_COMPARE(plate_name(window), "red.png");
+    std::filesystem::remove(window.file("red.png"));
+    QSignalSpy refused(&plates(window), &PlatePanel::refused);
+    QVERIFY(window.open("scene.brume"));
+    QTRY_COMPARE(refused.size(), 1);
+    QVERIFY2(refused[0][0].toString().contains("red.png"), qPrintable(refused[0][0].toString()));
+    QCOMPARE(plate_name(window), "red.png");
+    window.key(Qt::Key_0);
+    QVERIFY(is_drawn(window, 0.0));
+    red_picture(window);
+    QVERIFY(window.open("scene.brume"));
+    window.key(Qt::Key_0);
+    QTRY_VERIFY(is_drawn(window, 0.5));
+    QCOMPARE(refused.size(), 1);
+  }
+
+  void a_chosen_plate_goes_to_its_camera_whatever_happens_while_it_is_read() {
+    TestWindow window(tiny_scene());
+    window.key(Qt::Key_0);
+    plates(window).set_picture(red_picture(window));
+    QTRY_VERIFY(is_drawn(window, 0.5));
+    plates(window).set_picture(plain_picture(window, "blue.png", Qt::blue));
+    add_camera(window.document(), window.scene().camera);
+    rename_camera(window.document(), "Camera", "Wide");
+    QCOMPARE(plate_name(window), "Choose…");
+    use_camera(window.document(), "Wide");
+    QTRY_COMPARE(plate_name(window), "blue.png");
+    QTRY_VERIFY(drawn(window).blue() > 250);
+    use_camera(window.document(), "Camera 2");
+    QCOMPARE(plate_name(window), "Choose…");
+  }
+
+  void the_plate_of_a_deleted_camera_comes_back_with_it_and_goes_to_no_other() {
+    TestWindow window(tiny_scene());
+    Document& document = window.document();
+    window.key(Qt::Key_0);
+    plates(window).set_picture(red_picture(window));
+    QTRY_VERIFY(is_drawn(window, 0.5));
+    delete_camera_beside_another(document);
+    QVERIFY(is_drawn(window, 0.0));
+    for (int k = 0; k < 2; ++k) document.undo_stack().undo();
+    QTRY_VERIFY(is_drawn(window, 0.5));
+    delete_camera_beside_another(document);
+    rename_camera(document, "Camera 2", "Camera");
+    QVERIFY(is_drawn(window, 0.0));
+    document.undo_stack().undo();
+    // The settings have forgotten it.
+    document.save(document.file());
+    QVERIFY(window.open("scene.brume"));
+    add_camera(document, window.scene().camera);
+    QCOMPARE(QString::fromStdString(window.scene().camera_name), "Camera");
+    QCOMPARE(plate_name(window), "Choose…");
   }
 
   void focal_lengths_are_before_the_chosen_film_back() {

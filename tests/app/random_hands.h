@@ -292,7 +292,7 @@ class RandomHands {
         return set_camera(document_, camera, "roll", no_merge);
       }
       default:
-        return add_camera(document_, {.eye = point() + glm::dvec3(3.0)});
+        add_camera(document_, {.eye = point() + glm::dvec3(3.0)});
     }
   }
   void output() {

@@ -5,8 +5,6 @@
 #include <QDeadlineTimer>
 #include <QDockWidget>
 #include <QLabel>
-#include <QLineEdit>
-#include <QPushButton>
 #include <QRegularExpression>
 #include <QSettings>
 #include <QTreeWidget>

@@ -148,6 +148,8 @@ void OutputPanel::add_region(QFormLayout& form) {
   connect(clear, &QPushButton::clicked, this, &OutputPanel::clear_region_asked_for);
   form.addRow(region_);
   region_->hide();
+  // It is marked in the picture of the scene's camera.
+  connect(from_view_, &QCheckBox::toggled, region_, &QWidget::setDisabled);
 }
 
 void OutputPanel::show_region(const QString& text) {

@@ -23,7 +23,7 @@ class OutputPanel : public SceneForm {
   OutputPanel(Document& document, const Timeline& timeline, std::function<double()> exposure,
               QAction* render, QAction* render_animation, QWidget* parent);
 
-  // What the view sees, in place of the scene's camera.
+  // The view is rendered in place of what the scene's camera sees.
   [[nodiscard]] bool renders_view() const;
   [[nodiscard]] int png_bits() const;  // of each value
 

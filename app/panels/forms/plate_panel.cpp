@@ -6,6 +6,8 @@
 #include <QSettings>
 #include <QToolButton>
 #include <QVariantMap>
+#include <algorithm>
+#include <utility>
 
 #include "app/document/document.h"
 #include "app/document/paths.h"
@@ -31,6 +33,14 @@ QImage read_plate(const std::filesystem::path& file) {
   QImage picture = reader.read();
   if (picture.isNull()) throw InputError(file, {}, reader.errorString().toStdString());
   return picture;
+}
+
+QString picture_filter() {
+  QStringList patterns;
+  for (const QByteArray& format : QImageReader::supportedImageFormats()) {
+    patterns << "*." + QString::fromLatin1(format);
+  }
+  return PlatePanel::tr("Pictures (%1)").arg(patterns.join(' '));
 }
 
 QString scene_of(const QVariant& entry) {
@@ -74,43 +84,46 @@ PlatePanel::PlatePanel(Document& document, QWidget* parent) : SceneForm(document
   on_change(document_, Change::scene, this, &PlatePanel::restore);
   on_change(document_, Change::file, this, &PlatePanel::store);
   on_change(document_, Change::part, this, &PlatePanel::follow_cameras);
-  connect(&reading_, &BackgroundJob::failed, this, &PlatePanel::refused);
+  for (const BackgroundJob* job : {&reading_, &choosing_}) {
+    connect(job, &BackgroundJob::failed, this, &PlatePanel::refused);
+  }
   restore();
 }
 
-QString PlatePanel::camera() const {
+QString PlatePanel::camera_name() const {
   return QString::fromStdString(document_.scene().camera_name);
 }
 
 PlatePanel::Plate PlatePanel::plate() const {
-  const auto found = plates_.find(camera());
+  const auto found = plates_.find(camera_name());
   return found == plates_.end() ? Plate() : found->second;
 }
 
 void PlatePanel::set_plate(const Plate& plate) {
-  plates_[camera()] = plate;
+  plates_[camera_name()] = plate;
   store();
   show_plate();
 }
 
 void PlatePanel::choose() {
-  const auto file = ask_for_file(this, FileKind::plate, tr("Plate"),
-                                 tr("Pictures (*.png *.jpg *.jpeg *.bmp *.webp *.tif *.tiff)"),
-                                 document_.folder());
+  const auto file =
+      ask_for_file(this, FileKind::plate, tr("Plate"), picture_filter(), document_.folder());
   if (!file.empty()) set_picture(file);
 }
 
 void PlatePanel::set_picture(const std::filesystem::path& file) {
   if (file.empty()) {
-    reading_.cancel();
+    if (chosen_for_ == camera_name()) choosing_.cancel();
     return set_plate({});
   }
   // Only a picture that can be read takes the place of another.
-  reading_.start([this, file = std::filesystem::absolute(file), camera = camera()](const Job&) {
-    return [this, file, camera, picture = read_plate(file)] {
-      Plate& plate = plates_[camera];
+  chosen_for_ = camera_name();
+  choosing_.start([this, file = std::filesystem::absolute(file)](const Job&) {
+    return [this, file, picture = read_plate(file)] {
+      Plate& plate = plates_[chosen_for_];
       plate.file = to_qstring(file);
-      if (camera == this->camera()) {
+      if (chosen_for_ == camera_name()) {
+        reading_.cancel();
         shown_ = plate.file;
         picture_ = picture;
       }
@@ -121,8 +134,10 @@ void PlatePanel::set_picture(const std::filesystem::path& file) {
 }
 
 void PlatePanel::restore() {
-  reading_.cancel();
+  for (BackgroundJob* job : {&reading_, &choosing_}) job->cancel();
   plates_.clear();
+  shown_.clear();
+  picture_ = {};
   cameras_ = camera_names(document_.scene());
   const QString scene = to_qstring(document_.file());
   for (const QVariant& entry : QSettings().value(plates_key).toList()) {
@@ -140,25 +155,30 @@ void PlatePanel::store() const {
   QSettings settings;
   QVariantList entries = settings.value(plates_key).toList();
   entries.removeIf([&](const QVariant& entry) { return scene_of(entry) == scene; });
-  for (const auto& [camera, plate] : plates_) {
-    if (plate.file.isEmpty()) continue;
-    entries.prepend(QVariantMap{
-        {"scene", scene}, {"camera", camera}, {"picture", plate.file}, {"opacity", plate.opacity}});
+  for (const QString& camera : camera_names(document_.scene())) {
+    const auto found = plates_.find(camera);
+    if (found == plates_.end() || found->second.file.isEmpty()) continue;
+    entries.prepend(QVariantMap{{"scene", scene},
+                                {"camera", camera},
+                                {"picture", found->second.file},
+                                {"opacity", found->second.opacity}});
   }
   settings.setValue(plates_key, QVariantList(entries.mid(0, max_plates)));
 }
 
-// A camera with another name keeps its plate.
+// A camera with another name keeps its plate, and one that is deleted until it is added again.
 void PlatePanel::follow_cameras() {
   const QStringList names = camera_names(document_.scene());
   if (names == cameras_) return;
-  const QStringList before = std::exchange(cameras_, names);
-  for (qsizetype k = 0; names.size() == before.size() && k < names.size(); ++k) {
-    if (before.contains(names[k]) || names.contains(before[k])) continue;
-    if (auto plate = plates_.extract(before[k])) {
-      plate.key() = names[k];
-      plates_.insert_or_assign(plate.key(), plate.mapped());
-    }
+  const QStringList previous = std::exchange(cameras_, names);
+  for (qsizetype k = 0; names.size() == previous.size() && k < names.size(); ++k) {
+    if (previous.contains(names[k]) || names.contains(previous[k])) continue;
+    if (chosen_for_ == previous[k]) chosen_for_ = names[k];
+    plates_.erase(names[k]);  // of a deleted camera
+    auto plate = plates_.extract(previous[k]);
+    if (!plate) continue;
+    plate.key() = names[k];
+    plates_.insert(std::move(plate));
   }
   store();
   show_plate();

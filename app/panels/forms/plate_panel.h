@@ -30,19 +30,21 @@ class PlatePanel : public SceneForm {
   };
 
   void choose();
-  [[nodiscard]] QString camera() const;
-  [[nodiscard]] Plate plate() const;  // of the camera in use
+  [[nodiscard]] QString camera_name() const;  // of the one in use
+  [[nodiscard]] Plate plate() const;          // of the camera in use
   void set_plate(const Plate& plate);
   void restore();
   void store() const;
   void follow_cameras();
   void show_plate();
 
-  std::map<QString, Plate> plates_;  // by cameras
+  std::map<QString, Plate> plates_;  // by cameras, deleted ones as well
   QStringList cameras_;
   QString shown_;  // the file of the picture
   QImage picture_;
-  BackgroundJob reading_{BackgroundJob::Policy::latest_wins};
+  QString chosen_for_;                                          // the camera
+  BackgroundJob reading_{BackgroundJob::Policy::latest_wins};   // of the camera in use
+  BackgroundJob choosing_{BackgroundJob::Policy::latest_wins};  // goes on for another camera in use
 };
 
 }  // namespace brume

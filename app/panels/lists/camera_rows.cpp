@@ -64,8 +64,8 @@ void CameraRows::rename(std::size_t place, const QString& name) {
 }
 
 void CameraRows::duplicate(std::size_t place) {
+  if (!duplicate_camera(document_, name_of(place))) return;
   document_.set_object(std::nullopt);
-  duplicate_camera(document_, name_of(place));
   Q_EMIT in_use_changed();
 }
 

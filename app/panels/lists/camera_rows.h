@@ -3,6 +3,8 @@
 #include <QObject>
 #include <functional>
 
+#include "app/panels/lists/group_rows.h"
+
 class QMenu;
 class QTreeWidget;
 class QTreeWidgetItem;
@@ -34,8 +36,8 @@ class CameraRows : public QObject {
   void in_use_changed();      // by a row
 
  private:
-  static constexpr int name_column = 0;
-  static constexpr int icon_column = 1;
+  static constexpr int name_column = GroupRows::name_column;
+  static constexpr int icon_column = GroupRows::eye_column;
   [[nodiscard]] QString name_of(std::size_t place) const;
 
   Document& document_;

@@ -28,9 +28,9 @@
 namespace brume {
 namespace {
 
-constexpr int name_column = 0;
-constexpr int eye_column = 1;
-constexpr int lock_column = 2;
+constexpr int name_column = GroupRows::name_column;
+constexpr int eye_column = GroupRows::eye_column;
+constexpr int lock_column = GroupRows::lock_column;
 
 constexpr int kind_role = Qt::UserRole;
 constexpr int index_role = Qt::UserRole + 1;
@@ -59,7 +59,7 @@ Outliner::Kind kind_of(ObjectRef::Kind kind) {
   return Outliner::Kind::medium;
 }
 
-// Rows below others only: that of all cameras is of none.
+// The heading Cameras is not a camera.
 std::optional<std::size_t> index_of_kind(const QTreeWidgetItem* item, Outliner::Kind kind) {
   if (!item || !item->parent() || item->data(0, kind_role).toInt() != static_cast<int>(kind)) {
     return std::nullopt;

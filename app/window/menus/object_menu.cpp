@@ -60,8 +60,8 @@ void ObjectMenu::fill_add_menu(QMenu& menu) {
   add_light_action(tr("Sp&here Light"), "light.sphere", light::Sphere());
   menu.addSeparator();
   add_action(&menu, tr("&Camera"), "add.camera", this, [this] {
+    if (!add_camera(work_.document, work_.views.perspective().camera())) return;
     work_.document.set_object(std::nullopt);
-    add_camera(work_.document, work_.views.perspective().camera());
     window_.findChild<Outliner*>()->show_camera_in_use();
   });
   add_action(&menu, tr("&Gaussian"), "edit.add_gaussian", this, [this] { add_gaussian_in_view(); });
