@@ -61,7 +61,8 @@ class OutlinerCamerasTest : public QObject {
     TestWindow window(tiny_scene());
     const Scene before = window.scene();
     QCOMPARE(rows(*window), QStringList{"[Camera]"});
-    click_row(*window, "Point 1");
+    click_row(*window, "Light 1");
+    QVERIFY(window.document().object().has_value());
     window.drag({300, 300}, {380, 320}, Qt::MiddleButton);
     const Camera seen = window.view().camera();
     QVERIFY(seen != before.camera);
@@ -88,10 +89,10 @@ class OutlinerCamerasTest : public QObject {
     QCOMPARE(value(window, "camera_eye_x"), "5");
     QCOMPARE(last_step(window.document()), "Use camera aside");
     // The row of a light that is selected later is the current one.
-    click_row(*window, "Point 1");
+    click_row(*window, "Light 1");
     window.document().undo_stack().undo();
     QCOMPARE(rows(*window), (QStringList{"aside", "[Camera]"}));
-    QCOMPARE(tree(*window).currentItem(), row(*window, "Point 1"));
+    QCOMPARE(tree(*window).currentItem(), row(*window, "Light 1"));
   }
 
   void rows_look_through_their_cameras() {
@@ -178,18 +179,19 @@ class OutlinerCamerasTest : public QObject {
   void the_selection_stays_where_no_camera_can_be_added() {
     Scene scene = two_cameras();
     while (scene.cameras.size() < limits::cameras) {
-      scene.cameras.push_back({"other " + std::to_string(scene.cameras.size()), {}, {}});
+      scene.cameras.push_back(scene.cameras.front());
+      scene.cameras.back().name = "other " + std::to_string(scene.cameras.size());
     }
     TestWindow window(scene);
     QTreeWidget& rows_of = tree(*window);
     QSignalSpy refused(&window.document(), &Document::refused);
-    click_row(*window, "Point 1");
+    click_row(*window, "Light 1");
     const auto object = window.document().object();
-    QVERIFY(object);
+    QVERIFY(object.has_value());
     invoke(window, "add.camera");
     QCOMPARE(refused.size(), 1);
     QVERIFY(window.document().object() == object);
-    QCOMPARE(rows_of.currentItem(), row(*window, "Point 1"));
+    QCOMPARE(rows_of.currentItem(), row(*window, "Light 1"));
     QVERIFY(choose_from_menu(*rows_of.viewport(), cell_position(rows_of, row(*window, "aside")),
                              "Duplicate"));
     QCOMPARE(refused.size(), 2);
