@@ -203,14 +203,17 @@ class PlateTest : public QObject {
     for (int k = 0; k < 2; ++k) document.undo_stack().undo();
     QTRY_VERIFY(is_drawn(window, 0.5));
     delete_camera_beside_another(document);
-    rename_camera(document, "Camera 2", "Camera");
-    QVERIFY(is_drawn(window, 0.0));
-    document.undo_stack().undo();
     // The settings have forgotten it.
     document.save(document.file());
     QVERIFY(window.open("scene.brume"));
     add_camera(document, window.scene().camera);
     QCOMPARE(QString::fromStdString(window.scene().camera_name), "Camera");
+    QCOMPARE(plate_name(window), "Choose…");
+    // Nor has a camera it that takes the name.
+    plates(window).set_picture(red_picture(window));
+    QTRY_COMPARE(plate_name(window), "red.png");
+    delete_camera(document, "Camera");
+    rename_camera(document, "Camera 2", "Camera");
     QCOMPARE(plate_name(window), "Choose…");
   }
 
