@@ -99,8 +99,7 @@ void FrameOutput::create_actions() {
   actions_ = {
       add(tr("Render &Picture"), "render.picture",
           tr("Renders what the scene's camera sees now, or the view where the panel Output says "
-             "so, "
-             "into the picture viewer and the file (F12)"),
+             "so, into the picture viewer and the file (F12)"),
           [this] { render(false); }),
       add(tr("Render &Animation"), "render.animation",
           tr("Renders all frames of the timeline to the file (Ctrl+F12)"),

@@ -55,6 +55,12 @@ QString plate_name(TestWindow& window) {
   return window->findChild<QPushButton*>("plate_picture")->text();
 }
 
+// Waits until it has been read.
+void choose_red_picture(TestWindow& window) {
+  plates(window).set_picture(red_picture(window));
+  QTRY_COMPARE(plate_name(window), "red.png");
+}
+
 // A picture that nothing can read.
 std::filesystem::path broken_picture(const TestWindow& window) {
   std::ofstream(window.file("broken.jpg")) << "no picture";
@@ -83,8 +89,7 @@ class PlateTest : public QObject {
     window.key(Qt::Key_0);
     QVERIFY(is_drawn(window, 0.0));
     QVERIFY(!window->findChild<ValueField*>("plate_opacity")->isEnabled());
-    plates(window).set_picture(red_picture(window));
-    QTRY_COMPARE(plate_name(window), "red.png");
+    choose_red_picture(window);
     QTRY_VERIFY(is_drawn(window, 0.5));
     enter(window, "plate_opacity", "1");
     QVERIFY(is_drawn(window, 1.0));
@@ -108,8 +113,7 @@ class PlateTest : public QObject {
 
   void a_plate_comes_back_with_its_scene() {
     TestWindow window(tiny_scene());
-    plates(window).set_picture(red_picture(window));
-    QTRY_COMPARE(plate_name(window), "red.png");
+    choose_red_picture(window);
     enter(window, "plate_opacity", "0.25");
     window->document().create();
     QCOMPARE(plate_name(window), "Choose…");
@@ -123,8 +127,7 @@ class PlateTest : public QObject {
   void a_plate_that_cannot_be_read_says_so_and_replaces_none() {
     TestWindow window(tiny_scene());
     window.key(Qt::Key_0);
-    plates(window).set_picture(red_picture(window));
-    QTRY_COMPARE(plate_name(window), "red.png");
+    choose_red_picture(window);
     QSignalSpy refused(&plates(window), &PlatePanel::refused);
     plates(window).set_picture(broken_picture(window));
     QTRY_COMPARE(refused.size(), 1);
@@ -135,8 +138,7 @@ class PlateTest : public QObject {
 
   void a_scene_reopened_while_its_plate_is_read_shows_it() {
     TestWindow window(tiny_scene());
-    plates(window).set_picture(red_picture(window));
-    QTRY_COMPARE(plate_name(window), "red.png");
+    choose_red_picture(window);
     window->document().create();
     reopen(window);
     reopen(window);
@@ -146,8 +148,7 @@ class PlateTest : public QObject {
 
   void a_broken_picture_chosen_while_the_plate_is_read_leaves_it() {
     TestWindow window(tiny_scene());
-    plates(window).set_picture(red_picture(window));
-    QTRY_COMPARE(plate_name(window), "red.png");
+    choose_red_picture(window);
     window->document().create();
     reopen(window);
     QSignalSpy refused(&plates(window), &PlatePanel::refused);
@@ -159,8 +160,7 @@ class PlateTest : public QObject {
 
   void a_plate_that_is_missing_says_so_and_is_shown_once_it_is_there_again() {
     TestWindow window(tiny_scene());
-    plates(window).set_picture(red_picture(window));
-    QTRY_COMPARE(plate_name(window), "red.png");
+    choose_red_picture(window);
     std::filesystem::remove(window.file("red.png"));
     QSignalSpy refused(&plates(window), &PlatePanel::refused);
     QVERIFY(window.open("scene.brume"));
@@ -210,8 +210,7 @@ class PlateTest : public QObject {
     QCOMPARE(QString::fromStdString(window.scene().camera_name), "Camera");
     QCOMPARE(plate_name(window), "Choose…");
     // Nor has a camera it that takes the name.
-    plates(window).set_picture(red_picture(window));
-    QTRY_COMPARE(plate_name(window), "red.png");
+    choose_red_picture(window);
     delete_camera(document, "Camera");
     rename_camera(document, "Camera 2", "Camera");
     QCOMPARE(plate_name(window), "Choose…");
