@@ -292,7 +292,7 @@ AirlightIntegrator Renderer::Impl::sliced(FrameContext& work, StageClock& clock)
   std::optional<SlicedSource> source;
   if (const SourceFunction* function = stages.source_function(work)) {
     source_view.update(*function, work.rays, work.job);
-    source = {function, source_view.lookup(*function)};
+    source = {function, source_view.lookup(*function), &function->eye_lobe()};
   }
   const auto evaluate = [this, lights, source](auto gaussians, const TileRays& rays,
                                                const TileAirlight& out) {

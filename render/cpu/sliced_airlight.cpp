@@ -21,13 +21,14 @@ struct SliceScratch {
   PathBatch rays;
   std::vector<float> increments, moments;
   std::vector<float> depths;
-  std::vector<float> lookup_weights, lookup_distances;  // see SliceWeights
-  std::vector<float> lookup_sums;                       // of all rays
-  PathBatch lines;                                      // the rays without an end
+  std::vector<float> lookup_weights, lobe_weights, lookup_distances;  // see SliceWeights
+  std::vector<float> lookup_sums;                                     // of all rays
+  PathBatch lines;                                                    // the rays without an end
   std::vector<float> along_rays, line_depths;
   std::array<std::vector<float>, 3> emission;
   std::array<std::vector<float>, light_pack> radiance;
   std::vector<SourceWeights> weights;  // of the rays
+  std::vector<glm::vec3> lobe;         // what an EyeLobe adds
 };
 
 // Where airlight goes: all of it, or what comes from before the end of each look-up.
@@ -77,16 +78,29 @@ void add_source_function(const SlicedSource& from, const TileRays& rays, SliceSc
     }
     return s.weights[function.is_anisotropic() ? i : 0];
   };
+  const bool has_lobe = from.lobe && !from.lobe->empty();
+  if (has_lobe) s.lobe.assign(out.rays, glm::vec3(0.0f));
+  const auto offset = [&](std::size_t i) {
+    return rays.offsets.empty() ? glm::vec3(0.0f) : glm::vec3(rays.offsets[i]);
+  };
+  const auto direction = [&](std::size_t i) { return glm::vec3(rays.directions[i]); };
   const std::size_t lookups = s.lookup_weights.size() / stride;
   for (std::size_t j = 0; j < lookups; ++j) {
-    needs_weights |= source.add(s.rays, s.lookup_distances.data() + j * stride,
-                                s.lookup_weights.data() + j * stride, s.lookup_sums.data());
+    const float* const distances = s.lookup_distances.data() + j * stride;
+    const float* const scattered_shares = s.lookup_weights.data() + j * stride;
+    needs_weights |= source.add(s.rays, distances, scattered_shares,
+                                s.lobe_weights.data() + j * stride, s.lookup_sums.data());
+    for (std::size_t i = 0; has_lobe && i < out.rays; ++i) {
+      if (!(scattered_shares[i] > 0.0f)) continue;
+      s.lobe[i] += scattered_shares[i] * from.lobe->at(offset(i), direction(i), distances[i]);
+    }
     if (out.slices == 0 && j + 1 < lookups) continue;
     const std::size_t row = out.slices == 0 ? 0 : j;
     for (std::size_t i = 0; i < out.rays; ++i) {
       const SourceWeights& weights = weights_of(i);
       glm::vec3 scattered = source.source(
           std::span(s.lookup_sums).subspan(i * source.sums_size(), source.sums_size()), weights);
+      if (has_lobe) scattered += s.lobe[i];
       if (function.has_lobe_on_rays()) {
         scattered += s.along_rays[out.sums(row) + i] *
                      function.lobe_on_ray(source, weights, s.line_depths[i], rays, i);
@@ -165,8 +179,10 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
   if (source) {
     const std::size_t lookups = (last + slices_per_lookup - 1) / slices_per_lookup;
     s.lookup_weights.resize(lookups * stride);
+    s.lobe_weights.resize(lookups * stride);
     s.lookup_distances.resize(lookups * stride);
     slice_weights.lookups = s.lookup_weights.data();
+    slice_weights.lobe_lookups = s.lobe_weights.data();
     slice_weights.lookup_distances = s.lookup_distances.data();
     slice_weights.extinction = light_extinction;
     slice_weights.fog_extinction = static_cast<float>(source->function->lobe_fog_extinction());

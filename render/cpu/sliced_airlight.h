@@ -24,6 +24,7 @@ namespace brume {
 struct SlicedSource {
   const SourceFunction* function;
   SourceLookup lookup;
+  const EyeLobe* lobe = nullptr;  // of this eye; null: unknown
 };
 
 // Airlight and optical depth of the rays of a tile up to each of `count` distances, ascending on

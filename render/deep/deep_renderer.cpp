@@ -49,7 +49,7 @@ class DeepGroup {
       const SourceFunction* const function = stages_.source_function(work_);
       if (function) {
         source_view_.update(*function, work_.rays, work_.job);
-        source_ = {function, source_view_.lookup(*function)};
+        source_ = {function, source_view_.lookup(*function), &function->eye_lobe()};
       }
       tiles_.emplace(work_.frame.film);
       lists_ = tiles_->lists(medium(), work_.rays);

@@ -91,11 +91,14 @@ void SlicedStage::upload_source(const SourceFunction* source, const glm::dvec3& 
                                 const Program& program) {
   program.set("source_levels", source ? static_cast<int>(source->grid().levels().size()) : 0);
   program.set("source_broadening_at", 0);
+  program.set("eye_lobe_at", 0);
   program.set("source_map_size", glm::ivec2(0));
   program.set("source_lobe_on_rays", 0);
   if (!source) return;
   const SourceFunction::WeightParts parts = source->weight_parts();
-  const bool is_new = source_revision_ != source->grid().revision();
+  const EyeLobe& eye_lobe = source->eye_lobe();
+  const bool is_new =
+      source_revision_ != source->grid().revision() || eye_lobe_revision_ != eye_lobe.revision();
   // The layout is that of shaders/source.glsl; places are known without the values.
   std::vector<glm::vec4> values;
   std::size_t at = 0;
@@ -137,16 +140,27 @@ void SlicedStage::upload_source(const SourceFunction* source, const glm::dvec3& 
     }
   }
   const std::vector<float>& broadening = source->lobe_broadening().values();
+  for (const auto& lobe : parts.lobes) at += lobe->pixels.size();
   if (!broadening.empty()) {
-    for (const auto& lobe : parts.lobes) at += lobe->pixels.size();
     program.set("source_broadening_at", static_cast<int>(at));
     static_assert(LobeBroadening::depths % 4 == 0);
     for (std::size_t i = 0; is_new && i < broadening.size(); i += 4) {
       values.emplace_back(broadening[i], broadening[i + 1], broadening[i + 2], broadening[i + 3]);
     }
   }
+  if (!eye_lobe.empty()) {
+    program.set("eye_lobe_at", static_cast<int>(at + broadening.size() / 4));
+    const EyeLobe::Places& places = eye_lobe.places();
+    program.set("eye_lobe_size", glm::ivec4(EyeLobe::size, 0));
+    program.set("eye_lobe_x", places.film[0]);
+    program.set("eye_lobe_y", places.film[1]);
+    program.set("eye_lobe_forward", places.forward);
+    program.set("eye_lobe_distance", places.distance);
+    if (is_new) values.insert(values.end(), eye_lobe.values().begin(), eye_lobe.values().end());
+  }
   if (!is_new) return;
   source_revision_ = 0;
+  eye_lobe_revision_ = eye_lobe.revision();
   source_.upload(std::span<const glm::vec4>(values));
   source_revision_ = source->grid().revision();
 }

@@ -69,6 +69,7 @@ class SlicedStage {
   FilmAirlight film_;
   Buffer source_;
   Revision source_revision_ = 0;
+  Revision eye_lobe_revision_ = 0;
 };
 
 // Sets the uniforms of shaders/noise.glsl.

@@ -139,7 +139,8 @@ SourceFunction::Multiple FrameStages::multiple_scattering(FrameContext& work, St
       has_surfaces() ? &prepared_.ray_caster() : nullptr,
       work.scene.surfaces,
       work.settings.scattering_limits,
-      has_surfaces() && is_indoors(prepared_.ray_caster(), work.rays.eye())};
+      has_surfaces() && is_indoors(prepared_.ray_caster(), work.rays.eye()),
+      &work.rays};
   for (PointSource& source : work.sources()) {
     const OpticalDepthTable* const table =
         work.plan.runs(Stage::light_table)

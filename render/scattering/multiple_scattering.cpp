@@ -259,6 +259,7 @@ SweepDegrees sweep_degrees(const MultipleScattering::Input& input, const SourceG
 std::size_t MultipleScattering::bytes() const {
   std::size_t floats = 0;
   for (const NodeLight& level : levels_) floats += level.values.size();
+  for (const std::vector<float>& level : reflected_) floats += level.size();
   for (const std::optional<Solution>& solution : solutions_) {
     if (solution) floats += solution->scattered.values.size();
   }
@@ -333,6 +334,7 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
   std::vector<double> phase = truncation.phase;
   for (double& factor : phase) factor *= truncation.albedo;
   solutions_.resize(levels.size());
+  reflected_.resize(levels.size());
   std::vector<NodeLight> solved(levels.size());
   std::vector<OuterLevel> outer;  // the finest first
   for (std::size_t k = levels.size(); k-- > 0;) {
@@ -363,10 +365,11 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
       return false;
     }
     solutions_[k] = Solution{level.first, level.nodes, scattered};
+    // Of all orders.
+    if (level.surfaces) add(reflected_light(*level.surfaces, scattered), light.reflected);
+    reflected_[k] = light.reflected;
     if (k > 0) {
-      // Of all orders.
       add(scattered.values, light.incident.values);
-      if (level.surfaces) add(reflected_light(*level.surfaces, scattered), light.reflected);
       const SourceGrid::Level& finer = levels[k - 1];
       remove_within(finer, level, light);
       GridMedium around = media[k];

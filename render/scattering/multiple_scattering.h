@@ -51,6 +51,8 @@ class MultipleScattering {
   [[nodiscard]] Revision revision() const { return revision_; }
   [[nodiscard]] std::span<const NodeLight> levels() const { return levels_; }
   [[nodiscard]] const glm::vec3& color() const { return color_; }
+  // Per level, what surfaces send of all orders, in as many channels; see reflected_light().
+  [[nodiscard]] std::span<const std::vector<float>> reflected() const { return reflected_; }
   // Of the finest level.
   [[nodiscard]] const Convergence& convergence() const { return convergence_; }
   [[nodiscard]] std::size_t bytes() const;  // memory
@@ -93,6 +95,7 @@ class MultipleScattering {
   Revision revision_ = 0;
   glm::vec3 color_{1.0f};
   std::vector<NodeLight> levels_;
+  std::vector<std::vector<float>> reflected_;
   std::vector<std::optional<Solution>> solutions_;  // per level
   Convergence convergence_;
 };

@@ -190,6 +190,7 @@ std::vector<SourceLight> SourceFunction::lights_in_world() const {
 bool SourceFunction::add_multiple(const Input& input, const Job& job) {
   if (!input.multiple) {
     multiple_.clear();
+    eye_lobe_ = {};
     if (has_multiple()) grid_->remove_scattered();
     added_ = 0;
     return true;
@@ -204,10 +205,12 @@ bool SourceFunction::add_multiple(const Input& input, const Job& job) {
           job)) {
     return false;
   }
-  if (added_ == multiple_.revision() && added_scale_ == scale) return true;
+  const bool is_added = added_ == multiple_.revision() && added_scale_ == scale;
+  find_eye_lobe(input, is_added, job);
+  if (is_added) return true;
   // Look-ups multiply by bands without the forward lobe.
   std::vector<double> factors(static_cast<std::size_t>(phase_.count()), 1.0);
-  if (view_extinction() == 1.0) {
+  if (extinction_ == 1.0) {
     const std::vector<double> whole = phase_bands(anisotropy_, phase_.count());
     for (std::size_t l = 0; l < factors.size(); ++l) factors[l] = whole[l] / phase_.factors()[l];
   }
@@ -218,6 +221,23 @@ bool SourceFunction::add_multiple(const Input& input, const Job& job) {
   added_ = multiple_.revision();
   added_scale_ = scale;
   return !job.stop.stop_requested();
+}
+
+void SourceFunction::find_eye_lobe(const Input& input, bool is_same_light, const Job& job) {
+  const Multiple& multiple = *input.multiple;
+  if (!multiple.ray_caster || extinction_ == 1.0) {
+    eye_lobe_ = {};
+    return;
+  }
+  const View view{multiple.view->eye(), multiple.view->plane(), multiple.view->whole_size()};
+  if (is_same_light && view_ == view) return;
+  view_ = view;
+  eye_lobe_ =
+      EyeLobe(*grid_,
+              {*multiple.ray_caster, multiple.surfaces, multiple_.reflected(),
+               multiple_.levels().front().channels, multiple_.color()},
+              {anisotropy_, extinction_, input.medium.homogeneous_density(), input.fog_ball},
+              *multiple.view, job);
 }
 
 // Of where receivers are only that counts which decides on the grid.
@@ -328,7 +348,7 @@ SourceWeights SourceFunction::weights(const glm::dvec3& w) const {
 SliceScattering slice_scattering(double anisotropy, const SourceFunction* source) {
   SliceScattering scattering{.anisotropy = static_cast<float>(anisotropy)};
   if (!source) return scattering;
-  scattering.view_extinction = static_cast<float>(source->view_extinction());
+  scattering.view_extinction = static_cast<float>(source->light_extinction());
   std::ranges::transform(source->phase().phase_powers(), scattering.truncated_phase.begin(),
                          [](double power) { return static_cast<float>(power); });
   if (!source->lobe_broadening().empty())

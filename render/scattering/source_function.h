@@ -14,6 +14,7 @@
 #include "render/lights/distant_lights.h"
 #include "render/lights/emission_lights.h"
 #include "render/motion.h"
+#include "render/scattering/eye_lobe.h"
 #include "render/scattering/multiple_scattering.h"
 #include "render/scattering/source_grid.h"
 #include "render/scattering/source_lookup.h"
@@ -44,7 +45,8 @@ class SourceFunction {
     const RayCaster* ray_caster;  // of the surfaces; null: there are none
     std::span<const Surface> surfaces;
     ScatteringLimits limits;
-    bool through_windows = false;  // most of what is around the eye are surfaces
+    bool through_windows = false;      // most of what is around the eye are surfaces
+    const CameraRays* view = nullptr;  // that sees the medium; not null with surfaces
   };
   struct Input {
     const Environment* environment;  // null: none
@@ -69,12 +71,12 @@ class SourceFunction {
 
   // The results of the last update().
   [[nodiscard]] const SourceGrid& grid() const { return *grid_; }
-  // Extinction of light on its way to where it is scattered to the eye, relative to the medium's:
-  // with more than one scattering, what the forward lobe scatters goes on. See TruncatedScattering.
+  // Extinction of light on its way to where it is scattered to the eye, and of what a SourceGrid's
+  // bands scatter on the way to the eye, relative to the medium's: with more than one scattering,
+  // what the forward lobe scatters goes on. See TruncatedScattering.
   [[nodiscard]] double light_extinction() const { return extinction_; }
-  // The same on the way to the eye, of what a SourceGrid's bands scatter. 1 with surfaces: of what
-  // they send, only those bands hold what the forward lobe scatters to the eye.
-  [[nodiscard]] double view_extinction() const { return surfaces_revision_ ? 1.0 : extinction_; }
+  // What that lobe scatters to the eye of the light of surfaces.
+  [[nodiscard]] const EyeLobe& eye_lobe() const { return eye_lobe_; }
   [[nodiscard]] const PhaseBands& phase() const { return phase_; }
   // Of light that is scattered more than once; empty if there is none.
   [[nodiscard]] const LobeBroadening& lobe_broadening() const { return lobe_broadening_; }
@@ -125,6 +127,7 @@ class SourceFunction {
   // False if stopped.
   bool make_grid(const Input& input, const Job& job);
   bool add_multiple(const Input& input, const Job& job);
+  void find_eye_lobe(const Input& input, bool is_same_light, const Job& job);
   [[nodiscard]] std::vector<SourceLight> lights_in_world() const;
   // Whether the grid holds light that was scattered more than once, and all in its own scale.
   [[nodiscard]] bool has_multiple() const { return added_ != 0; }
@@ -173,6 +176,19 @@ class SourceFunction {
   // What the grid holds of it.
   Revision added_ = 0;
   double added_scale_ = 0.0;
+  EyeLobe eye_lobe_;
+  // The camera's of that.
+  struct View {
+    glm::dvec3 eye{0.0};
+    CameraRays::FilmPlane plane{};
+    glm::ivec2 film{0};
+
+    bool operator==(const View& other) const {
+      return eye == other.eye && film == other.film && plane.corner == other.plane.corner &&
+             plane.per_x == other.plane.per_x && plane.per_y == other.plane.per_y;
+    }
+  };
+  View view_;
 };
 
 // How slices scatter light to the eye, with a source function or without (null).

@@ -43,9 +43,10 @@ HWY_INLINE void AddEdges(const float* values, const GridLevel& level, const Cell
 // `stride`: floats per ray in `sums`.
 template <class Rays, int bands, bool adds_clusters>
 HWY_INLINE bool AddOf(std::span<const GridLevel> levels, const PathBatch& rays, const float* t,
-                      const float* weights, std::size_t stride, float* sums) {
+                      const float* weights, const float* lobe_weights, std::size_t stride,
+                      float* sums) {
   constexpr std::size_t size = SourceGrid::node_size(bands);
-  constexpr std::size_t used = adds_clusters ? size : 4 * sh_size(bands);
+  constexpr std::size_t harmonics = 4 * sh_size(bands);
   bool sums_nodes = false;
   const Points d_rays;
   const std::size_t lanes = hn::Lanes(d_rays);
@@ -83,18 +84,19 @@ HWY_INLINE bool AddOf(std::span<const GridLevel> levels, const PathBatch& rays, 
                     cells.EyeCorner(level, i, -rays.x[ray], -rays.y[ray], -rays.z[ray]),
                     corner_weights);
       }
+      float* const of_nodes = sum + (level.view ? 4 : 0);
       if (from_view) {
         AddNodes<4, 4>(level.view, level, cells.node[i], corner_weights, sum);
-        if constexpr (adds_clusters) {
-          constexpr std::size_t clusters = 4 * sh_size(bands);
-          sums_nodes = true;
-          AddNodes<size, source_clusters>(level.values + clusters, level, cells.node[i],
-                                          corner_weights, sum + 4 + clusters);
-        }
       } else {
         sums_nodes = true;
-        float* of_nodes = sum + (level.view ? 4 : 0);
-        AddNodes<size, used>(level.values, level, cells.node[i], corner_weights, of_nodes);
+        AddNodes<size, harmonics>(level.values, level, cells.node[i], corner_weights, of_nodes);
+      }
+      if constexpr (adds_clusters) {
+        sums_nodes = true;
+        const float share = lobe_weights[ray] / weights[ray];
+        for (float& corner : corner_weights) corner *= share;
+        AddNodes<size, source_clusters>(level.values + harmonics, level, cells.node[i],
+                                        corner_weights, of_nodes + harmonics);
       }
     }
   }
@@ -119,19 +121,21 @@ void ClusterTransmittanceAtOrigin(std::span<const GridLevel> levels,
 
 template <int bands, bool adds_clusters>
 bool Add(std::span<const GridLevel> levels, const PathBatch& rays, const float* t,
-         const float* weights, std::size_t stride, float* sums) {
+         const float* weights, const float* lobe_weights, std::size_t stride, float* sums) {
   return WithRays(Points(), rays, [&]<class Rays>() HWY_ATTR {
-    return AddOf<Rays, bands, adds_clusters>(levels, rays, t, weights, stride, sums);
+    return AddOf<Rays, bands, adds_clusters>(levels, rays, t, weights, lobe_weights, stride, sums);
   });
 }
 
 bool AddSource(int bands, bool adds_clusters, std::span<const GridLevel> levels,
-               const PathBatch& rays, const float* t, const float* weights, std::size_t stride,
-               float* sums) {
+               const PathBatch& rays, const float* t, const float* weights,
+               const float* lobe_weights, std::size_t stride, float* sums) {
   constexpr int max_bands = PhaseBands::max_bands;
-  if (bands == 1) return Add<1, false>(levels, rays, t, weights, stride, sums);
-  if (!adds_clusters) return Add<max_bands, false>(levels, rays, t, weights, stride, sums);
-  return Add<max_bands, true>(levels, rays, t, weights, stride, sums);
+  if (bands == 1) return Add<1, false>(levels, rays, t, weights, lobe_weights, stride, sums);
+  if (!adds_clusters) {
+    return Add<max_bands, false>(levels, rays, t, weights, lobe_weights, stride, sums);
+  }
+  return Add<max_bands, true>(levels, rays, t, weights, lobe_weights, stride, sums);
 }
 
 }  // namespace brume::HWY_NAMESPACE
@@ -150,9 +154,9 @@ SourceLookup::SourceLookup(const SourceGrid& grid, const glm::dvec3& origin, boo
       adds_clusters_(adds_clusters && grid.bands() > 1) {}
 
 bool SourceLookup::add(const PathBatch& rays, const float* t, const float* weights,
-                       float* sums) const {
+                       const float* lobe_weights, float* sums) const {
   return HWY_DYNAMIC_DISPATCH(AddSource)(bands_, adds_clusters_, levels_.all(), rays, t, weights,
-                                         sums_size(), sums);
+                                         lobe_weights, sums_size(), sums);
 }
 
 void SourceLookup::set_view(std::span<const std::vector<float>> levels, bool is_parallel) {

@@ -43,9 +43,10 @@ class SourceLookup {
   }
   // Adds weights[k] times the nodes' values at distance t[k] on ray k, clamped to the grid, for
   // padded_size() rays from the origin; of nodes that surfaces hide from the origin's side,
-  // nothing. No weight costs nothing. Whether it has summed what nodes hold, for which source()
-  // needs weights. Thread-safe.
-  bool add(const PathBatch& rays, const float* t, const float* weights, float* sums) const;
+  // nothing. Those of clusters times lobe_weights[k]. No weight costs nothing. Whether it has
+  // summed what nodes hold, for which source() needs weights. Thread-safe.
+  bool add(const PathBatch& rays, const float* t, const float* weights, const float* lobe_weights,
+           float* sums) const;
   // What add() has summed for a ray, as J.
   [[nodiscard]] glm::vec3 source(std::span<const float> sums, const SourceWeights& weights) const;
 

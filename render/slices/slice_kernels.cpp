@@ -275,7 +275,8 @@ HWY_INLINE void SumSlicesOf(const PathBatch& paths, const RaySlices& slices,
     V depth = zero;
     V begin = hn::LoadU(d, slices.at(i, 0));
     V emitted[3] = {zero, zero, zero};
-    V weight = zero;  // of a look-up
+    V weight = zero;       // of a look-up
+    V lobe_weight = zero;  // of what a forward lobe scatters
     V weighted_distance = zero;
     for (std::size_t k = 0; k + 1 < slices.count(); ++k) {
       const V end = hn::LoadU(d, slices.at(i, k + 1));
@@ -311,6 +312,7 @@ HWY_INLINE void SumSlicesOf(const PathBatch& paths, const RaySlices& slices,
         const LitPart<V> part = lit_part(begin, end, increment, moment);
         const V counted = where(matters, truncated_fraction);
         weight += counted;
+        lobe_weight += where(matters, whole_fraction);
         weighted_distance = mul_add(counted, part.center, weighted_distance);
         for (std::size_t l = 0; l < lights.size(); ++l) {
           const V first = part.center - part.half_length - ts[l];
@@ -367,8 +369,10 @@ HWY_INLINE void SumSlicesOf(const PathBatch& paths, const RaySlices& slices,
       if (weights.lookups && ((k + 1) % slices_per_lookup == 0 || k + 2 == slices.count())) {
         const std::size_t place = k / slices_per_lookup * stride + i;
         hn::StoreU(weight, d, weights.lookups + place);
+        hn::StoreU(lobe_weight, d, weights.lobe_lookups + place);
         hn::StoreU(weighted_distance / max(weight, tiny), d, weights.lookup_distances + place);
         weight = zero;
+        lobe_weight = zero;
         weighted_distance = zero;
       }
       if (running) {

@@ -83,6 +83,8 @@ struct SliceWeights {
   // mean distance of their centers weighted by it.
   float* lookups = nullptr;
   float* lookup_distances = nullptr;
+  // The same sum with the whole extinction, of what a forward lobe scatters; see SliceScattering.
+  float* lobe_lookups = nullptr;
   // [i], see SliceSums: sum over the slices of ray i for light along the ray, attenuated by
   // Gaussians only, their densities times `extinction`: from the eye, where it is 1, if the
   // anisotropy is negative, else from behind, where it is exp(that optical depth of the ray).

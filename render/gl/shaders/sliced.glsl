@@ -118,6 +118,7 @@ void main() {
   vec3 scattered = vec3(0.0);
   float lookup_weight = 0.0;
   float lookup_position = 0.0;  // times weight
+  float lobe_weight = 0.0;      // SliceWeights::lobe_lookups
   uint pairs = 0u;
   float boundary = last > 0 ? slice_boundary(position, 0) : 0.0;
   float t_begin = min(boundary, length_);
@@ -239,6 +240,7 @@ void main() {
         const LitPart part = lit_part(t_begin, t_end, increment, moment);
         lookup_weight += truncated_fraction;
         lookup_position += truncated_fraction * part.center;
+        lobe_weight += whole_fraction;
         for (int l = 0; l < light_count; ++l) {
           const vec3 s = from_ray(lights[l].position);
           const float ts = dot(s, w);
@@ -301,8 +303,11 @@ void main() {
       const int next = first + k + 1;
       if (source_levels > 0 && lookup_weight > 0.0 &&
           (next % 2 == 0 || next == last)) {
-        scattered += lookup_weight * source_at(on_ray(lookup_position / lookup_weight, w));
+        const float t = lookup_position / lookup_weight;
+        scattered += lookup_weight * (source_at(on_ray(t, w), lobe_weight / lookup_weight) +
+                                      eye_lobe(on_ray(0.0, w), w, t));
         lookup_weight = 0.0;
+        lobe_weight = 0.0;
         lookup_position = 0.0;
       }
     }

@@ -31,6 +31,34 @@ uniform int source_lobe_on_rays;  // SourceFunction::has_lobe_on_rays()
 uniform ivec2 source_map_size;  // 0: there are none
 uniform vec2 source_rotation;  // of the maps: cosine and sine
 
+// EyeLobe: its table begins here, of this size; 0: there is none.
+uniform int eye_lobe_at;
+uniform ivec4 eye_lobe_size;
+uniform vec4 eye_lobe_x;
+uniform vec4 eye_lobe_y;
+uniform vec3 eye_lobe_forward;
+uniform float eye_lobe_distance;
+
+// EyeLobe::at(), of a ray from an offset.
+vec3 eye_lobe(vec3 offset, vec3 w, float t) {
+  if (eye_lobe_at == 0) return vec3(0.0);
+  const vec4 on_film = vec4(offset + w / max(dot(w, eye_lobe_forward), 1e-6), 1.0);
+  const vec3 place = clamp(vec3(dot(eye_lobe_x, on_film), dot(eye_lobe_y, on_film),
+                                float(eye_lobe_size.z) * t / (t + eye_lobe_distance)),
+                           vec3(0.0), vec3(eye_lobe_size.xyz - 1));
+  const ivec3 first = min(ivec3(place), eye_lobe_size.xyz - 2);
+  const vec3 f = place - vec3(first);
+  vec3 sum = vec3(0.0);
+  for (int c = 0; c < 8; ++c) {
+    const ivec3 corner = ivec3(c & 1, (c >> 1) & 1, c >> 2);
+    const vec3 share = mix(1.0 - f, f, vec3(corner));
+    const ivec3 node = first + corner;
+    const int index = (node.z * eye_lobe_size.y + node.y) * eye_lobe_size.x + node.x;
+    sum += share.x * share.y * share.z * source_values[eye_lobe_at + index].rgb;
+  }
+  return sum;
+}
+
 // LobeBroadening: four optical depths a value, from here on; 0: none.
 uniform int source_broadening_at;
 
@@ -136,7 +164,8 @@ vec3 source_clusters_at(int node, bool at_nodes) {
   return sum;
 }
 
-vec3 source_at(vec3 p) {
+// `lobe_share`: of what the clusters' forward lobe scatters.
+vec3 source_at(vec3 p, float lobe_share) {
   const SourceCell cell = source_cell(p);
   vec3 sum = vec3(0.0);
   for (int c = 0; c < 8; ++c) {
@@ -145,7 +174,7 @@ vec3 source_at(vec3 p) {
     for (int i = 0; i < source_functions(); ++i) {
       value += source_weights[i] * source_values[cell.first[c] + i].rgb;
     }
-    if (source_at_nodes != 0) value += source_clusters_at(cell.first[c], true);
+    if (source_at_nodes != 0) value += lobe_share * source_clusters_at(cell.first[c], true);
     sum += cell.weights[c] * value;
   }
   return sum;

@@ -62,7 +62,7 @@ class SourceLookups : public testing::TestWithParam<int> {
     std::vector<float> padded_weights(weights.begin(), weights.end());
     padded_weights.resize(rays.padded_size(), 0.0f);
     std::vector<float> sums(rays.padded_size() * lookup.sums_size(), 0.0f);
-    lookup.add(rays, rays.length.data(), padded_weights.data(), sums.data());
+    lookup.add(rays, rays.length.data(), padded_weights.data(), padded_weights.data(), sums.data());
     return sums;
   }
 
@@ -162,7 +162,7 @@ TEST(SourceView, HoldsWhatNodesSumTo) {
     const std::vector<float> weights(rays.padded_size(), 1.0f);
     const auto looked_up = [&](const SourceLookup& lookup) {
       std::vector<float> sums(rays.padded_size() * lookup.sums_size(), 0.0f);
-      lookup.add(rays, rays.length.data(), weights.data(), sums.data());
+      lookup.add(rays, rays.length.data(), weights.data(), weights.data(), sums.data());
       std::vector<glm::vec3> result;
       for (std::size_t i = 0; i < directions.size(); ++i) {
         result.push_back(

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <glm/ext/vector_int3.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+#include "brume/revision.h"
+#include "core/scene/camera_rays.h"
+#include "render/geometry/fog_ball.h"
+#include "render/scattering/source_grid.h"
+#include "render/util/job.h"
+#include "render/visibility/ray_caster.h"
+
+namespace brume {
+
+// What surfaces send, for an EyeLobe.
+struct SentLight {
+  const RayCaster& ray_caster;
+  std::span<const Surface> surfaces;
+  // Radiance per level of the grid, as reflected_light(): of one channel times `color`, or three.
+  std::span<const std::vector<float>> reflected;
+  std::size_t channels;
+  glm::vec3 color;
+};
+
+// A medium around them, whose phase function has a forward lobe.
+struct LobedMedium {
+  double anisotropy;
+  double grid_extinction;  // of the grid's densities, relative to the medium's
+  double fog_density;      // [1/u]
+  FogBall fog;
+};
+
+// The part of the source function that a SourceGrid's bands do not hold of the light that surfaces
+// send: what the forward lobe of the phase function scatters to the eye. It changes within few
+// degrees of the view ray, so it is tabulated by film position and distance.
+class EyeLobe {
+ public:
+  EyeLobe() = default;  // nothing
+  // In parallel. Invalid after the job was stopped.
+  EyeLobe(const SourceGrid& grid, const SentLight& sent, const LobedMedium& medium,
+          const CameraRays& rays, const Job& job);
+
+  [[nodiscard]] bool empty() const { return values_.empty(); }
+  [[nodiscard]] Revision revision() const { return revision_; }
+  // Its J at distance t of a ray from the eye, or `offset` from there, in the unit direction w.
+  [[nodiscard]] glm::vec3 at(const glm::vec3& offset, const glm::vec3& w, float t) const;
+
+  // The table, x fastest, R G B 0; and where a place is in it: per axis x and y the dot product of
+  // (offset + w / (w . forward), 1) and `film`, along z scaled by `distance`.
+  static constexpr glm::ivec3 size{32, 20, 12};
+  struct Places {
+    std::array<glm::vec4, 2> film{};
+    glm::vec3 forward{0.0f};
+    float distance = 1.0f;  // at which z is in the middle [u]
+  };
+  [[nodiscard]] std::span<const glm::vec4> values() const { return values_; }
+  [[nodiscard]] const Places& places() const { return places_; }
+
+ private:
+  Revision revision_ = 0;
+  Places places_;
+  std::vector<glm::vec4> values_;
+};
+
+}  // namespace brume
