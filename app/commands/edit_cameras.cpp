@@ -44,6 +44,11 @@ std::string short_name(const QString& name) {
 
 }  // namespace
 
+std::string allowed_camera_name(const Scene& scene, const QString& wanted) {
+  const std::string name = short_name(wanted);
+  return free_camera_name(scene, name.empty() ? default_camera_name : name);
+}
+
 bool add_camera(Document& document, const Camera& camera) {
   const std::string name = free_camera_name(document.scene(), default_camera_name);
   return add(document, {name, camera, {}},
@@ -55,8 +60,7 @@ bool duplicate_camera(Document& document, const QString& name) {
   const NamedCamera* camera = find(list, name.toStdString());
   if (!camera) return false;
   NamedCamera copy = *camera;
-  const std::string wanted = short_name(name);
-  copy.name = free_camera_name(document.scene(), wanted.empty() ? default_camera_name : wanted);
+  copy.name = allowed_camera_name(document.scene(), name);
   return add(document, std::move(copy), undo_text("Duplicate camera %1").arg(name));
 }
 

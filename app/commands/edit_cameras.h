@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <string>
 
 #include "app/commands/merge_id.h"
 #include "app/document/scene_part.h"
@@ -9,8 +10,12 @@
 namespace brume {
 
 class Document;
+struct Scene;
 
 // Edits of the scene's cameras, each one undo step. Cameras are known by their names.
+
+// A name that files may have and no other camera of a scene has: the wanted one, or with a number.
+std::string allowed_camera_name(const Scene& scene, const QString& wanted);
 
 // Adds a camera, which is then in use; false if the scene has as many as it may.
 bool add_camera(Document& document, const Camera& camera);

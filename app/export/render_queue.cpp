@@ -4,6 +4,10 @@
 #include <QThread>
 #include <algorithm>
 
+#include "app/document/paths.h"
+#include "app/files/numbered_file.h"
+#include "core/io/disk/file_bytes.h"
+
 namespace brume {
 namespace {
 
@@ -11,6 +15,30 @@ namespace {
 int render_threads() {
   const int all = std::max(1, QThread::idealThreadCount());
   return std::max(1, all - std::max(1, all / 4));
+}
+
+bool is_numbered(const FrameExportRequest& request) {
+  return request.range && lower_case_extension(request.file) != ".mp4";
+}
+
+bool writes(const FrameExportRequest& request, const std::filesystem::path& file) {
+  if (!is_numbered(request)) return request.file == file;
+  if (request.file.parent_path() != file.parent_path()) return false;
+  for (int frame = request.range->first; frame <= request.range->last; ++frame) {
+    if (numbered_file(request.file, frame) == file) return true;
+  }
+  return false;
+}
+
+bool write_same_file(const FrameExportRequest& a, const FrameExportRequest& b) {
+  if (a.file.empty() || b.file.empty()) return false;
+  if (!is_numbered(a)) return writes(b, a.file);
+  if (!is_numbered(b)) return writes(a, b.file);
+  return a.file == b.file && a.range->first <= b.range->last && b.range->first <= a.range->last;
+}
+
+bool is_unfinished(const RenderQueue::Item& item) {
+  return item.state == RenderQueue::State::waiting || item.state == RenderQueue::State::rendering;
 }
 
 }  // namespace
@@ -74,16 +102,25 @@ const RenderQueue::Item* RenderQueue::find(int id) const {
 }
 
 int RenderQueue::unfinished() const {
-  return static_cast<int>(std::ranges::count_if(items_, [](const Item& it) {
-    return it.state == State::waiting || it.state == State::rendering;
-  }));
+  return static_cast<int>(std::ranges::count_if(items_, is_unfinished));
 }
 
 int RenderQueue::stopped() const {
   return static_cast<int>(std::ranges::count(items_, State::stopped, &Item::state));
 }
 
+bool RenderQueue::may_write(const FrameExportRequest& request) {
+  const auto other = std::ranges::find_if(items_, [&request](const Item& it) {
+    return is_unfinished(it) && write_same_file(it.request, request);
+  });
+  if (other == items_.end()) return true;
+  Q_EMIT refused(tr("“%1” in the queue has yet to write %2. Name another file, or cancel that one.")
+                     .arg(other->request.title, to_qstring(request.file.filename())));
+  return false;
+}
+
 int RenderQueue::add(FrameExportRequest request) {
+  if (!may_write(request)) return 0;
   request.request.threads = render_threads();
   double place = static_cast<double>(QDateTime::currentMSecsSinceEpoch());
   for (const Item& other : items_) place = std::max(place, other.place + 1.0);
@@ -123,7 +160,7 @@ void RenderQueue::erase(int id) {
 
 void RenderQueue::resume(int id) {
   Item* known = item(id);
-  if (!known || !known->can_resume()) return;
+  if (!known || !known->can_resume() || !may_write(known->request)) return;
   known->state = State::waiting;
   known->percent = 0;
   known->message.clear();
@@ -175,7 +212,7 @@ std::optional<double> RenderQueue::seconds_left(const Item& item) const {
 std::optional<double> RenderQueue::seconds_left() const {
   std::optional<double> sum;
   for (const Item& item : items_) {
-    if (item.state != State::waiting && item.state != State::rendering) continue;
+    if (!is_unfinished(item)) continue;
     if (const auto seconds = seconds_left(item)) sum = sum.value_or(0.0) + *seconds;
   }
   return sum;

@@ -41,9 +41,10 @@ class RenderQueue : public QObject {
   [[nodiscard]] int unfinished() const;  // how many wait or are rendered
   [[nodiscard]] int stopped() const;     // how many of an earlier session
 
-  int add(FrameExportRequest request);  // its id
-  void cancel(int id);                  // what waits, at once
-  void remove(int id);                  // cancels it first
+  // Its id; 0 if it is refused, as one that has yet to be rendered writes the same file.
+  int add(FrameExportRequest request);
+  void cancel(int id);  // what waits, at once
+  void remove(int id);  // cancels it first
   // Renders that failed, were cancelled or stopped go on: ranges with the frames that are missing.
   void resume(int id);
   // Moves one that waits before the one that waits before it, or after the next.
@@ -55,6 +56,7 @@ class RenderQueue : public QObject {
 
  Q_SIGNALS:
   void changed();
+  void refused(const QString& why);
   void progressed(int id, int percent);
   void rendered(int id, const brume::ExportedFrame& frame);
 
@@ -62,6 +64,7 @@ class RenderQueue : public QObject {
   [[nodiscard]] Item* item(int id);
   [[nodiscard]] Item* waiting_beside(int id, bool sooner);
   void take_left();
+  [[nodiscard]] bool may_write(const FrameExportRequest& request);
   void erase(int id);
   void update(const Item& item) { kept_.update(item.kept, item.request, item.place); }
   void start_next();

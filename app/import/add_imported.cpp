@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/commands/edit_cameras.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
@@ -60,7 +61,7 @@ void add_cameras(Document& document, const ImportedScene& scene, const QString& 
   if (is_first) names.camera_name.clear();
   for (const NamedCamera& camera : scene.cameras) {
     NamedCamera added = camera;
-    added.name = free_camera_name(names, camera.name);
+    added.name = allowed_camera_name(names, QString::fromStdString(camera.name));
     names.cameras.push_back(added);
     list.others.push_back(std::move(added));
   }

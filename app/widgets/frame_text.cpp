@@ -6,6 +6,7 @@
 
 #include "app/document/number_text.h"
 #include "brume/frame.h"
+#include "brume/render.h"
 #include "render/quality/frame_errors.h"
 #include "render/settings.h"
 
@@ -66,7 +67,12 @@ QString paths_text(const Frame& frame) {
   }
   const std::vector<StageTime>& stages = frame.statistics.stages;
   const auto traced = std::ranges::find(stages, Stage::paths, &StageTime::stage);
-  return traced == stages.end() ? QString() : QString("1 path");
+  if (traced == stages.end()) return {};
+  const RenderRequest* request = frame.request.get();
+  return request && request->denoise != Denoising::none
+             ? frame_words("%1 paths, denoised")
+                   .arg(count_text(static_cast<std::uint64_t>(request->paths)))
+             : QString("1 path");
 }
 
 QString scattering_text(const Frame& frame) {

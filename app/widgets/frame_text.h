@@ -23,8 +23,8 @@ QString backend_text(const FrameStatistics& statistics);
 // Why OpenGL did not render a frame as requested; empty: it did, or was not requested.
 QString fallback_text(const FrameStatistics& statistics);
 
-// "64 paths, noise 1.2 %" for a path-traced frame, without the noise of a single path. Empty for
-// other frames.
+// "64 paths, noise 1.2 %" for a path-traced frame, "64 paths, denoised" where what is left of the
+// noise is not known, and "1 path". Empty for other frames.
 QString paths_text(const Frame& frame);
 
 // The orders of scattering in a frame, and how exact they are: "once", "all orders, converged to

@@ -80,6 +80,7 @@ FrameOutput::FrameOutput(const Workspace& work, FileJobs& jobs, QMainWindow& win
                                    : tr("Export cancelled after %1 files").arg(written));
   });
   connect(&exporter, &FrameExport::failed, &work_.messages, &MessageBar::show_error);
+  connect(queue_, &RenderQueue::refused, &work_.messages, &MessageBar::show_error);
   connect(&queue_->kept(), &KeptRenders::failed, &work_.messages, &MessageBar::show_note);
 }
 
@@ -284,6 +285,7 @@ void FrameOutput::render(bool animation) {
   }
   if (!request.file.empty() && !may_write(request.file, animation)) return;
   const int id = queue_->add(request);
+  if (id == 0) return;
   shown_render_ = id;
   if (!animation) show_viewer();
   work_.show_status(tr("Rendering in the background; see the queue in the panel Output"));

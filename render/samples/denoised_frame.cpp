@@ -145,16 +145,16 @@ constexpr int min_blurred_paths = 64;
 // Another one than between the shares of share_of_paths().
 constexpr std::uint64_t seed_between_halves = 0xD1B54A32D192ED03u;
 
-// Adds the differences of airlight and others to a frame's layers, where nothing gets negative.
-void add(std::span<const glm::vec3> to_airlight, std::span<const glm::vec3> to_others,
-         std::vector<float>& airlight, std::vector<float>& beauty) {
+// Sets a frame's layers to solved ones and their differences, where nothing gets negative.
+void set_sum(const AirlightAndOthers& solved, std::span<const glm::vec3> to_airlight,
+             std::span<const glm::vec3> to_others, std::vector<float>& airlight,
+             std::vector<float>& beauty) {
   for (std::size_t i = 0; 4 * i < beauty.size(); ++i) {
     for (int c = 0; c < 3; ++c) {
       float& air = airlight[3 * i + static_cast<std::size_t>(c)];
-      float& all = beauty[4 * i + static_cast<std::size_t>(c)];
-      const float others = std::max(all - air + to_others[i][c], 0.0f);
-      air = finite(std::max(air + to_airlight[i][c], 0.0f));
-      all = finite(air + others);
+      air = finite(std::max(solved.airlight[i][c] + to_airlight[i][c], 0.0f));
+      beauty[4 * i + static_cast<std::size_t>(c)] =
+          finite(air + std::max(solved.others[i][c] + to_others[i][c], 0.0f));
     }
   }
 }
@@ -179,34 +179,18 @@ Settings solved_settings(int slices) {
 
 void DenoisedView::denoise(Frame& traced, const Job& job) {
   const AirlightAndOthers now(traced.airlight, traced.beauty);
-  const auto set = [&](std::span<const glm::vec3> to_airlight,
-                       std::span<const glm::vec3> to_others) {
-    for (std::size_t i = 0; i < solved_.airlight.size(); ++i) {
-      const glm::vec3 all = solved_.airlight[i] + solved_.others[i];
-      for (int c = 0; c < 3; ++c) {
-        traced.airlight[3 * i + static_cast<std::size_t>(c)] = solved_.airlight[i][c];
-        traced.beauty[4 * i + static_cast<std::size_t>(c)] = all[c];
-      }
+  // The newer half of the paths sees twice the mean of all less the older half.
+  const auto difference = [&](std::span<const glm::vec3> solved,
+                              const std::vector<glm::vec3>& older, std::span<const glm::vec3> all) {
+    if (older.empty()) return std::vector<glm::vec3>(all.size(), glm::vec3(0.0f));
+    SolvedAndTraced pictures{traced.film.width, {solved.begin(), solved.end()}, {older, {}}};
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      pictures.traced[1].push_back(2.0f * all[i] - older[i]);
     }
-    add(to_airlight, to_others, traced.airlight, traced.beauty);
+    return significant_difference(pictures, job);
   };
-  if (last_.airlight.empty()) {
-    const std::vector<glm::vec3> nothing(now.airlight.size(), glm::vec3(0.0f));
-    set(nothing, nothing);
-  } else {
-    // The newer half of the paths sees twice the mean of all less the older half.
-    const auto difference = [&](std::span<const glm::vec3> solved,
-                                const std::vector<glm::vec3>& older,
-                                std::span<const glm::vec3> all) {
-      SolvedAndTraced pictures{traced.film.width, {solved.begin(), solved.end()}, {older, {}}};
-      for (std::size_t i = 0; i < all.size(); ++i) {
-        pictures.traced[1].push_back(2.0f * all[i] - older[i]);
-      }
-      return significant_difference(pictures, job);
-    };
-    set(difference(solved_.airlight, last_.airlight, now.airlight),
-        difference(solved_.others, last_.others, now.others));
-  }
+  set_sum(solved_, difference(solved_.airlight, last_.airlight, now.airlight),
+          difference(solved_.others, last_.others, now.others), traced.airlight, traced.beauty);
   last_ = now;
 }
 
@@ -231,9 +215,9 @@ std::optional<Frame> render_denoised(FrameRenderer& renderer, const ExposedView&
   std::optional<Frame> frame =
       render_exposure(renderer, solved_view, solving, job.subrange(0.0, 0.3));
   if (!frame) return std::nullopt;
-  const AirlightAndOthers solved =
-      has_all ? AirlightAndOthers(frame->airlight, frame->beauty)
-              : AirlightAndOthers(frame->center_airlight(), frame->center_beauty());
+  const AirlightAndOthers all(frame->airlight, frame->beauty);
+  const AirlightAndOthers centers(frame->airlight_at_centers, frame->beauty_at_centers);
+  const AirlightAndOthers& solved = has_all || centers.airlight.empty() ? all : centers;
   SolvedAndTraced airlight{frame->film.width, solved.airlight, {}};
   SolvedAndTraced others{frame->film.width, solved.others, {}};
   for (int k = 0; k < 2; ++k) {
@@ -254,10 +238,8 @@ std::optional<Frame> render_denoised(FrameRenderer& renderer, const ExposedView&
   const std::vector<glm::vec3> to_airlight = significant_difference(airlight, job);
   const std::vector<glm::vec3> to_others = significant_difference(others, job);
   if (job.stop.stop_requested()) return std::nullopt;
-  add(to_airlight, to_others, frame->airlight, frame->beauty);
-  if (!frame->airlight_at_centers.empty()) {
-    add(to_airlight, to_others, frame->airlight_at_centers, frame->beauty_at_centers);
-  }
+  set_sum(all, to_airlight, to_others, frame->airlight, frame->beauty);
+  set_sum(centers, to_airlight, to_others, frame->airlight_at_centers, frame->beauty_at_centers);
   return frame;
 }
 

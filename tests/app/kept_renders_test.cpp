@@ -191,7 +191,9 @@ class KeptRendersTest : public QObject {
       listed.queue.add(tiny_request(folder / "done.png"));
       QVERIFY(listed.wait_for(0, RenderState::done));
       listed.queue.add(endless_request());
-      for (int k = 0; k < 3; ++k) listed.queue.add(tiny_request(folder / "waits.png"));
+      for (const char* file : {"a.png", "b.png", "c.png"}) {
+        listed.queue.add(tiny_request(folder / file));
+      }
       listed.choose(2);
       click(listed.list, "queue_cancel");
       listed.choose(3);
@@ -211,6 +213,39 @@ class KeptRendersTest : public QObject {
     RenderQueue next(folder / "renders");
     QCOMPARE(next.items().size(), 1u);
     QVERIFY(next.items()[0].request.file.empty());
+  }
+
+  void no_two_renders_that_are_to_be_done_write_the_same_file() {
+    const QTemporaryDir temporary;
+    const fs::path folder = to_path(temporary.path());
+    ListedQueue listed(folder / "renders");
+    RenderQueue& queue = listed.queue;
+    QSignalSpy refused(&queue, &RenderQueue::refused);
+    queue.add(endless_request());
+    FrameExportRequest frames = tiny_request(folder / "f.png");
+    frames.title = "Camera";
+    frames.range = {1, 9, 30.0};
+    QVERIFY(queue.add(frames) != 0);
+    FrameExportRequest later = frames;
+    later.range = {9, 12, 30.0};
+    QCOMPARE(queue.add(later), 0);
+    QCOMPARE(refused.size(), 1);
+    QVERIFY2(refused[0][0].toString().contains("“Camera” in the queue has yet to write f.png"),
+             qPrintable(refused[0][0].toString()));
+    QCOMPARE(queue.add(tiny_request(folder / "f_0009.png")), 0);
+    later.range = {10, 12, 30.0};
+    QVERIFY(queue.add(later) != 0);
+    QVERIFY(queue.add(tiny_request(folder / "f.png")) != 0);
+    QVERIFY(queue.add(tiny_request()) != 0 && queue.add(tiny_request()) != 0);  // no files
+    // Nor does one that is asked for again.
+    listed.choose(1);
+    click(listed.list, "queue_cancel");
+    later.range = {9, 9, 30.0};
+    QVERIFY(queue.add(later) != 0);
+    click(listed.list, "queue_resume");
+    QCOMPARE(queue.items()[1].state, RenderState::cancelled);
+    QCOMPARE(refused.size(), 3);
+    QCOMPARE(queue.items().size(), 7u);
   }
 
   void damaged_files_are_told_and_can_be_removed() {

@@ -5,6 +5,7 @@
 #include <QTreeWidgetItemIterator>
 
 #include "app/commands/edit_cameras.h"
+#include "app/import/add_imported.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/value_field.h"
 #include "brume/limits.h"
@@ -174,6 +175,20 @@ class OutlinerCamerasTest : public QObject {
     QCOMPARE(step_count(document), 3);
     QCOMPARE(rows(desk).size(), 2);
     for (const QString& row : rows(desk)) QVERIFY(row.contains("mmm"));
+  }
+
+  void imported_names_of_the_greatest_length_leave_room_for_numbers() {
+    ImportedScene imported;
+    for (int k = 0; k < 2; ++k) {
+      imported.cameras.push_back({std::string(limits::name_length, 'n'), Camera{}, {}});
+    }
+    Desk desk(two_cameras());
+    add_cameras(desk.document(), imported, "Import");
+    add_cameras(desk.document(), imported, "Import");
+    QCOMPARE(rows(desk).size(), 6);
+    for (const QString& row : rows(desk)) {
+      QVERIFY(row.size() <= static_cast<qsizetype>(limits::name_length));
+    }
   }
 
   void the_selection_stays_where_no_camera_can_be_added() {

@@ -119,6 +119,8 @@ class OutputFilesTest : public QObject {
     QVERIFY(render(window));
     QCOMPARE(header("brume:airlight"), std::string("path:64"));
     QCOMPARE(header("brume:denoise"), std::string("solved"));
+    QVERIFY2(newest(window).details.startsWith("64 paths, denoised"),
+             qPrintable(newest(window).details));
     window.view().frames().set_mode(ViewMode::final);
     QVERIFY(render(window));
     QVERIFY(!header("brume:airlight").starts_with("path"));

@@ -192,6 +192,43 @@ class PlateTest : public QObject {
     QCOMPARE(plate_name(window), "Choose…");
   }
 
+  void plates_that_are_chosen_quickly_for_two_cameras_go_to_both() {
+    TestWindow window(tiny_scene());
+    window.key(Qt::Key_0);
+    plates(window).set_picture(red_picture(window));
+    add_camera(window.document(), window.scene().camera);
+    plates(window).set_picture(plain_picture(window, "blue.png", Qt::blue));
+    plates(window).set_picture(broken_picture(window));
+    QTRY_COMPARE(plate_name(window), "blue.png");
+    use_camera(window.document(), "Camera");
+    QCOMPARE(plate_name(window), "red.png");
+    QTRY_VERIFY(is_drawn(window, 0.5));
+    // One that is removed while it is read does not come.
+    plates(window).set_picture(plain_picture(window, "green.png", Qt::green));
+    click(window, "plate_remove");
+    plates(window).set_picture(broken_picture(window));
+    QSignalSpy refused(&plates(window), &PlatePanel::refused);
+    QTRY_COMPARE(refused.size(), 1);
+    QCOMPARE(plate_name(window), "Choose…");
+  }
+
+  void a_camera_by_the_name_of_a_deleted_one_has_no_plate() {
+    TestWindow window(tiny_scene());
+    Document& document = window.document();
+    choose_red_picture(window);
+    delete_camera_beside_another(document);
+    add_camera(document, window.scene().camera);
+    QCOMPARE(QString::fromStdString(window.scene().camera_name), "Camera");
+    QCOMPARE(plate_name(window), "Choose…");
+    plates(window).set_picture(plain_picture(window, "blue.png", Qt::blue));
+    QTRY_COMPARE(plate_name(window), "blue.png");
+    // Each has its own when it is there again.
+    document.undo_stack().setIndex(0);
+    QCOMPARE(plate_name(window), "red.png");
+    document.undo_stack().setIndex(document.undo_stack().count());
+    QCOMPARE(plate_name(window), "blue.png");
+  }
+
   void the_plate_of_a_deleted_camera_comes_back_with_it_and_goes_to_no_other() {
     TestWindow window(tiny_scene());
     Document& document = window.document();

@@ -83,24 +83,38 @@ PlatePanel::PlatePanel(Document& document, QWidget* parent) : SceneForm(document
   });
   on_change(document_, Change::scene, this, &PlatePanel::restore);
   on_change(document_, Change::file, this, &PlatePanel::store);
-  on_change(document_, Change::part, this, &PlatePanel::follow_cameras);
+  // The stack tells once the document has its new revision.
+  connect(&document_.undo_stack(), &QUndoStack::indexChanged, this, &PlatePanel::follow_cameras);
+  const auto go_on = [this] {
+    choices_.pop_front();
+    read_next();
+  };
+  connect(&choosing_, &BackgroundJob::finished, this, go_on);
+  connect(&choosing_, &BackgroundJob::failed, this, go_on);
   for (const BackgroundJob* job : {&reading_, &choosing_}) {
     connect(job, &BackgroundJob::failed, this, &PlatePanel::refused);
   }
   restore();
 }
 
-QString PlatePanel::camera_name() const {
-  return QString::fromStdString(document_.scene().camera_name);
+PlatePanel::CameraKey PlatePanel::key_of(const QString& camera) const {
+  const auto known = since_.find(camera);
+  if (known == since_.end()) return {camera, 0};
+  const auto later = known->second.upper_bound(document_.revision());
+  return {camera, later == known->second.begin() ? 0 : *std::prev(later)};
+}
+
+PlatePanel::CameraKey PlatePanel::camera() const {
+  return key_of(QString::fromStdString(document_.scene().camera_name));
 }
 
 PlatePanel::Plate PlatePanel::plate() const {
-  const auto found = plates_.find(camera_name());
+  const auto found = plates_.find(camera());
   return found == plates_.end() ? Plate() : found->second;
 }
 
 void PlatePanel::set_plate(const Plate& plate) {
-  plates_[camera_name()] = plate;
+  plates_[camera()] = plate;
   store();
   show_plate();
 }
@@ -113,16 +127,24 @@ void PlatePanel::choose() {
 
 void PlatePanel::set_picture(const std::filesystem::path& file) {
   if (file.empty()) {
-    if (chosen_for_ == camera_name()) choosing_.cancel();
+    std::erase_if(choices_, [this](const Choice& choice) { return choice.camera == camera(); });
+    read_next();
     return set_plate({});
   }
-  // Only a picture that can be read takes the place of another.
-  chosen_for_ = camera_name();
-  choosing_.start([this, file = std::filesystem::absolute(file)](const Job&) {
+  choices_.push_back({camera(), std::filesystem::absolute(file)});
+  if (choices_.size() == 1) read_next();
+}
+
+// Only a picture that can be read takes the place of another.
+void PlatePanel::read_next() {
+  choosing_.cancel();
+  if (choices_.empty()) return;
+  choosing_.start([this, file = choices_.front().file](const Job&) {
     return [this, file, picture = read_plate(file)] {
-      Plate& plate = plates_[chosen_for_];
+      const CameraKey chosen_for = choices_.front().camera;
+      Plate& plate = plates_[chosen_for];
       plate.file = to_qstring(file);
-      if (chosen_for_ == camera_name()) {
+      if (chosen_for == camera()) {
         reading_.cancel();
         shown_ = plate.file;
         picture_ = picture;
@@ -135,16 +157,20 @@ void PlatePanel::set_picture(const std::filesystem::path& file) {
 
 void PlatePanel::restore() {
   for (BackgroundJob* job : {&reading_, &choosing_}) job->cancel();
+  choices_.clear();
   plates_.clear();
+  since_.clear();
   shown_.clear();
   picture_ = {};
-  cameras_ = camera_names(document_.scene());
+  last_revision_ = document_.revision();
+  cameras_.clear();
+  for (const QString& name : camera_names(document_.scene())) cameras_.push_back(key_of(name));
   const QString scene = to_qstring(document_.file());
   for (const QVariant& entry : QSettings().value(plates_key).toList()) {
     if (scene.isEmpty() || scene_of(entry) != scene) continue;
     const QVariantMap values = entry.toMap();
-    plates_[values.value("camera").toString()] = {values.value("picture").toString(),
-                                                  values.value("opacity").toDouble()};
+    plates_[key_of(values.value("camera").toString())] = {values.value("picture").toString(),
+                                                          values.value("opacity").toDouble()};
   }
   show_plate();
 }
@@ -156,7 +182,7 @@ void PlatePanel::store() const {
   QVariantList entries = settings.value(plates_key).toList();
   entries.removeIf([&](const QVariant& entry) { return scene_of(entry) == scene; });
   for (const QString& camera : camera_names(document_.scene())) {
-    const auto found = plates_.find(camera);
+    const auto found = plates_.find(key_of(camera));
     if (found == plates_.end() || found->second.file.isEmpty()) continue;
     entries.prepend(QVariantMap{{"scene", scene},
                                 {"camera", camera},
@@ -166,18 +192,28 @@ void PlatePanel::store() const {
   settings.setValue(plates_key, QVariantList(entries.mid(0, max_plates)));
 }
 
-// A camera with another name keeps its plate, and one that is deleted until it is added again.
+// A camera with another name keeps its plate, and one that is deleted until that is undone.
 void PlatePanel::follow_cameras() {
+  const bool is_new_state = document_.revision() > last_revision_;
+  last_revision_ = std::max(last_revision_, document_.revision());
+  QStringList previous_names;
+  for (const CameraKey& key : cameras_) previous_names << key.first;
   const QStringList names = camera_names(document_.scene());
-  if (names == cameras_) return;
-  const QStringList previous = std::exchange(cameras_, names);
-  for (qsizetype k = 0; names.size() == previous.size() && k < names.size(); ++k) {
-    if (previous.contains(names[k]) || names.contains(previous[k])) continue;
-    if (chosen_for_ == previous[k]) chosen_for_ = names[k];
-    plates_.erase(names[k]);  // of a deleted camera
+  if (names == previous_names) return;
+  std::vector<CameraKey> cameras;
+  for (const QString& name : names) {
+    if (is_new_state && !previous_names.contains(name)) since_[name].insert(last_revision_);
+    cameras.push_back(key_of(name));
+  }
+  const std::vector<CameraKey> previous = std::exchange(cameras_, cameras);
+  for (std::size_t k = 0; cameras.size() == previous.size() && k < cameras.size(); ++k) {
+    if (previous_names.contains(cameras[k].first) || names.contains(previous[k].first)) continue;
+    for (Choice& choice : choices_) {
+      if (choice.camera == previous[k]) choice.camera = cameras[k];
+    }
     auto plate = plates_.extract(previous[k]);
     if (!plate) continue;
-    plate.key() = names[k];
+    plate.key() = cameras[k];
     plates_.insert(std::move(plate));
   }
   store();

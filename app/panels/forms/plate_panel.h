@@ -2,8 +2,13 @@
 
 #include <QImage>
 #include <QStringList>
+#include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <map>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "app/jobs/background_job.h"
 #include "app/panels/forms/scene_form.h"
@@ -29,22 +34,34 @@ class PlatePanel : public SceneForm {
     double opacity = 0.5;
   };
 
+  // A camera by its name, and the revision of the document since when it is there by that: another
+  // may have had the name before it.
+  using CameraKey = std::pair<QString, std::uint64_t>;
+  struct Choice {
+    CameraKey camera;
+    std::filesystem::path file;
+  };
+
   void choose();
-  [[nodiscard]] QString camera_name() const;  // of the one in use
-  [[nodiscard]] Plate plate() const;          // of the camera in use
+  [[nodiscard]] CameraKey key_of(const QString& camera) const;
+  [[nodiscard]] CameraKey camera() const;  // in use
+  [[nodiscard]] Plate plate() const;       // of the camera in use
   void set_plate(const Plate& plate);
   void restore();
   void store() const;
+  void read_next();
   void follow_cameras();
   void show_plate();
 
-  std::map<QString, Plate> plates_;  // by cameras, deleted ones as well
-  QStringList cameras_;
-  QString shown_;  // the file of the picture
+  std::map<CameraKey, Plate> plates_;                 // of deleted cameras as well
+  std::vector<CameraKey> cameras_;                    // of the scene
+  std::map<QString, std::set<std::uint64_t>> since_;  // what keys of cameras have, by name
+  std::uint64_t last_revision_ = 0;                   // that has been seen
+  QString shown_;                                     // the file of the picture
   QImage picture_;
-  QString chosen_for_;                                          // the camera
-  BackgroundJob reading_{BackgroundJob::Policy::latest_wins};   // of the camera in use
-  BackgroundJob choosing_{BackgroundJob::Policy::latest_wins};  // goes on for another camera in use
+  BackgroundJob reading_{BackgroundJob::Policy::latest_wins};  // of the camera in use
+  std::deque<Choice> choices_;                                 // the first one is being read
+  BackgroundJob choosing_{BackgroundJob::Policy::latest_wins};
 };
 
 }  // namespace brume
