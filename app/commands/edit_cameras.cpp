@@ -44,6 +44,28 @@ std::string short_name(const QString& name) {
 
 }  // namespace
 
+QStringList camera_names(const Scene& scene) {
+  QStringList names{QString::fromStdString(scene.camera_name)};
+  for (const NamedCamera& camera : scene.cameras) names << QString::fromStdString(camera.name);
+  return names;
+}
+
+// An edit renames one camera, in its place, or none.
+QString camera_name_after(const QStringList& names_before, const QStringList& names_after,
+                          const QString& name) {
+  if (names_after.contains(name)) return name;
+  const qsizetype place = names_before.indexOf(name);
+  const bool is_renamed = place >= 0 && names_before.size() == names_after.size() &&
+                          !names_before.contains(names_after[place]);
+  return is_renamed ? names_after[place] : QString();
+}
+
+const Camera* find_camera(const Scene& scene, const QString& name) {
+  if (name.toStdString() == scene.camera_name) return &scene.camera;
+  const auto found = std::ranges::find(scene.cameras, name.toStdString(), &NamedCamera::name);
+  return found == scene.cameras.end() ? nullptr : &found->camera;
+}
+
 std::string allowed_camera_name(const Scene& scene, const QString& wanted) {
   const std::string name = short_name(wanted);
   return free_camera_name(scene, name.empty() ? default_camera_name : name);
@@ -109,8 +131,18 @@ KeyedCamera keyed_camera(const Document& document, const Camera& camera) {
   return part;
 }
 
-void set_camera(Document& document, const Camera& camera, const QString& what, MergeId gesture) {
-  set_scene_part(document, keyed_camera(document, camera), undo_text("Set %1").arg(what), gesture);
+void set_camera(Document& document, const QString& name, const Camera& camera, const QString& what,
+                MergeId gesture) {
+  const QString text = undo_text("Set %1").arg(what);
+  if (name.toStdString() == document.scene().camera_name) {
+    return set_scene_part(document, keyed_camera(document, camera), text, gesture);
+  }
+  Cameras cameras = document.scene().cameras;
+  const auto found = std::ranges::find(cameras, name.toStdString(), &NamedCamera::name);
+  if (found == cameras.end()) return;
+  found->camera = camera;
+  clear_keys_of_absent(found->camera, found->keys);
+  set_scene_part(document, std::move(cameras), text, gesture);
 }
 
 void move_camera(Document& document, const Camera& camera, MergeId gesture) {

@@ -45,6 +45,10 @@ bool contains(const std::vector<GaussianId>& sorted, GaussianId id) {
 
 // Finds the places that the objects of a part will have, if some come or go.
 std::optional<ObjectPlaces> places_after(const Scene& scene, const ScenePart& part) {
+  const auto* cameras = std::get_if<CameraList>(&part);
+  if (cameras && cameras->others.size() != scene.cameras.size()) {
+    return ObjectPlaces{index_of<Cameras>(), places_in(cameras->others, scene.cameras)};
+  }
   const auto find = [&part]<class T>(const std::vector<T>& objects) -> std::optional<ObjectPlaces> {
     const auto* list = std::get_if<std::vector<T>>(&part);
     if (!list || list->size() == objects.size()) return std::nullopt;

@@ -131,6 +131,11 @@ Track surface_value(const Surfaces& surfaces, std::size_t index, std::string_vie
 // and of the values of each part; with the medium for its density, and with all surfaces at once.
 void visit_objects(const Scene& scene, auto&& visit) {
   visit(Keyed{track_text("Camera"), index_of<KeyedCamera>()}, scene.camera, scene.camera_keys);
+  for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
+    const NamedCamera& camera = scene.cameras[k];
+    visit(Keyed{QString::fromStdString(camera.name), index_of<Cameras>(), k}, camera.camera,
+          camera.keys);
+  }
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
     const Light& light = scene.lights[k];
     visit(Keyed{light_title(light, k), index_of<Lights>(), k}, light, light.keys);

@@ -13,7 +13,7 @@ template <class S>
 auto whole_parts(S& scene) {
   return std::tie(scene.lights, scene.environment, scene.optics, scene.surfaces, scene.emitters,
                   scene.sequences, scene.playback, scene.film, scene.output, scene.groups,
-                  scene.splines);
+                  scene.splines, scene.cameras);
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 namespace brume {
 
 // Parts of a scene that are edited as a whole, unlike Gaussians.
+using Cameras =
+    std::vector<NamedCamera>;  // those not in use: they neither come, go nor change places
 using Lights = std::vector<Light>;
 using Surfaces = std::vector<Surface>;
 using Emitters = std::vector<Emitter>;
@@ -33,9 +35,10 @@ struct CameraList {
 
   bool operator==(const CameraList&) const = default;
 };
-using ScenePart = std::variant<KeyedCamera, KeyedDensity, CameraList, Lights,
-                               std::optional<Environment>, MediumOptics, Surfaces, Emitters,
-                               Sequences, std::optional<Playback>, Film, Output, Groups, Splines>;
+using ScenePart =
+    std::variant<KeyedCamera, KeyedDensity, CameraList, Lights, std::optional<Environment>,
+                 MediumOptics, Surfaces, Emitters, Sequences, std::optional<Playback>, Film, Output,
+                 Groups, Splines, Cameras>;
 
 template <class T>
 std::size_t index_of() {

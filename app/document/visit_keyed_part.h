@@ -20,6 +20,8 @@ void visit_keyed_part(auto& part, auto&& visit) {
           visit_keyed(value.camera, value.keys, visit);
         } else if constexpr (std::is_same_v<Part, KeyedDensity>) {
           visit_keyed_density(value.density, value.keys, visit);
+        } else if constexpr (std::is_same_v<Part, Cameras>) {
+          for (auto& camera : value) visit_keyed(camera.camera, camera.keys, visit);
         } else if constexpr (std::is_same_v<Part, Lights>) {
           for (auto& light : value) visit_keyed(light, visit);
         } else if constexpr (std::is_same_v<Part, Emitters>) {

@@ -205,7 +205,7 @@ void Docks::add_time_panels() {
 void Docks::show_panel_of(Outliner::Kind kind, std::size_t index) {
   using Kind = Outliner::Kind;
   if (kind == Kind::spline) return work_.tools.activate("spline");
-  if (kind == Kind::camera) return output_.show_camera();
+  if (kind == Kind::camera) return output_.show_camera(index);
   if (kind == Kind::light) work_.document.set_active_light(index);
   const bool is_surface = kind == Kind::surface || kind == Kind::node;
   QDockWidget* panel = kind == Kind::gaussians ? gaussians_

@@ -11,6 +11,7 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "app/commands/edit_cameras.h"
 #include "app/commands/edit_output.h"
 #include "app/document/document.h"
 #include "app/document/number_text.h"
@@ -174,10 +175,10 @@ void FrameOutput::create_guide_actions() {
 
 QTabWidget* FrameOutput::make_tabs() {
   Viewport& view = work_.views.perspective();
-  auto* cameras = new CameraPanel(
+  cameras_ = new CameraPanel(
       work_.document, [&view] { return view.camera(); }, &window_);
-  for (QAction* action : camera_actions_) cameras->add_toggle(action);
-  connect(cameras, &CameraPanel::look_through_asked_for, &view,
+  for (QAction* action : camera_actions_) cameras_->add_toggle(action);
+  connect(cameras_, &CameraPanel::look_through_asked_for, &view,
           [&view] { view.camera_controller().look_through_scene_camera(); });
 
   output_ = new OutputPanel(
@@ -189,14 +190,14 @@ QTabWidget* FrameOutput::make_tabs() {
           [&frame, this] { output_->show_region(region_text(frame.region())); });
   on_change(work_.document, Change::scene, &frame, [&frame] { frame.set_region(std::nullopt); });
 
-  connect(cameras, &CameraPanel::plate_changed, &frame, &CameraFrame::set_plate);
+  connect(cameras_, &CameraPanel::plate_changed, &frame, &CameraFrame::set_plate);
 
   auto* queue = new QueueList(*queue_, &window_);
   connect(queue, &QueueList::show_asked_for, this, &FrameOutput::show_render);
   auto* tabs = named(new QTabWidget, "output_tabs");
   tabs->setDocumentMode(true);
   tabs->addTab(scrolled_panel(output_), tr("Picture"));
-  tabs->addTab(scrolled_panel(cameras), tr("Camera"));
+  tabs->addTab(scrolled_panel(cameras_), tr("Camera"));
   tabs->addTab(queue, tr("Queue"));
   const auto count = [this, tabs] {
     const int left = queue_->unfinished() + queue_->stopped();
@@ -295,6 +296,11 @@ void FrameOutput::show_tab(int index) {
   output_dock_->show();
   output_dock_->raise();
   tabs_->setCurrentIndex(index);
+}
+
+void FrameOutput::show_camera(std::size_t place) {
+  cameras_->show_camera(camera_names(work_.document.scene()).value(static_cast<int>(place)));
+  show_tab(1);
 }
 
 void FrameOutput::show_output() {

@@ -21,6 +21,7 @@ class QTabWidget;
 namespace brume {
 
 class FileJobs;
+class CameraPanel;
 class OutputPanel;
 struct Picture;
 class PictureViewer;
@@ -43,7 +44,7 @@ class FrameOutput : public QObject {
   [[nodiscard]] RenderQueue& queue() { return *queue_; }
   // The dock Output: where the file is named, the cameras, the queue.
   void show_output();
-  void show_camera() { show_tab(1); }
+  void show_camera(std::size_t place);  // 0 is in use, k + 1 the k-th other
   void show_queue() { show_tab(2); }
 
  private:
@@ -71,6 +72,7 @@ class FrameOutput : public QObject {
   QDockWidget* output_dock_ = nullptr;
   QTabWidget* tabs_ = nullptr;
   OutputPanel* output_ = nullptr;
+  CameraPanel* cameras_ = nullptr;
   QDockWidget* viewer_dock_ = nullptr;
   QList<QAction*> actions_;  // in the order of the menu Render
   QList<QAction*> camera_actions_;

@@ -68,8 +68,12 @@ class CamerasTest : public QObject {
 
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
                       list->visualItemRect(list->item(0)).center());
+    QCOMPARE(used(desk.document()), "Close up");
+    QCOMPARE(value(desk, "camera_eye_z"), "6");
+    click(desk, "use_camera");
     QCOMPARE(used(desk.document()), "Camera");
     QVERIFY(desk.scene().camera == before.camera);
+    QVERIFY(!desk.findChild<QPushButton*>("use_camera")->isEnabled());
     click(desk, "delete_camera");
     QCOMPARE(used(desk.document()), "Close up");
     QVERIFY(!desk.findChild<QPushButton*>("delete_camera")->isEnabled());

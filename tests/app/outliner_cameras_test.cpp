@@ -9,6 +9,7 @@
 #include "app/viewport/viewport.h"
 #include "app/widgets/value_field.h"
 #include "brume/limits.h"
+#include "core/scene/cameras.h"
 #include "tests/app/desk.h"
 #include "tests/app/test_window.h"
 
@@ -80,20 +81,76 @@ class OutlinerCamerasTest : public QObject {
     QCOMPARE(rows(*window), QStringList{"[Camera]"});
   }
 
-  void a_click_uses_a_camera_and_shows_its_fields() {
+  void a_click_shows_the_values_of_a_camera_and_its_menu_uses_it() {
     TestWindow window(two_cameras());
+    Document& document = window.document();
     QCOMPARE(rows(*window), (QStringList{"aside", "[Camera]"}));
+    click_row(*window, "Light 1");
     click_row(*window, "aside");
-    QCOMPARE(rows(*window), (QStringList{"[aside]", "Camera"}));
-    QCOMPARE(tree(*window).currentItem(), row(*window, "aside"));
+    QCOMPARE(rows(*window), (QStringList{"aside", "[Camera]"}));
+    QVERIFY(!document.object());
+    QCOMPARE(step_count(document), 0);
     QTRY_VERIFY(window->findChild<ValueField*>("camera_eye_x")->isVisible());
     QCOMPARE(value(window, "camera_eye_x"), "5");
-    QCOMPARE(last_step(window.document()), "Use camera aside");
+    QTreeWidget& tree_of = tree(*window);
+    const QPoint place = cell_position(tree_of, row(*window, "aside"));
+    QVERIFY(choose_from_menu(*tree_of.viewport(), place, "Use"));
+    QCOMPARE(rows(*window), (QStringList{"[aside]", "Camera"}));
+    QCOMPARE(last_step(document), "Use camera aside");
+    QCOMPARE(tree_of.currentItem(), row(*window, "aside"));
+    QCOMPARE(value(window, "camera_eye_x"), "5");
+    QVERIFY(!choose_from_menu(*tree_of.viewport(), place, "Use"));
     // The row of a light that is selected later is the current one.
     click_row(*window, "Light 1");
-    window.document().undo_stack().undo();
+    document.undo_stack().undo();
     QCOMPARE(rows(*window), (QStringList{"aside", "[Camera]"}));
-    QCOMPARE(tree(*window).currentItem(), row(*window, "Light 1"));
+    QCOMPARE(tree_of.currentItem(), row(*window, "Light 1"));
+  }
+
+  void a_camera_that_is_not_in_use_is_edited_keyed_and_undone() {
+    TestWindow window(two_cameras());
+    Document& document = window.document();
+    const Scene before = window.scene();
+    const auto aside = [&]() -> const NamedCamera& { return window.scene().cameras[0]; };
+    click_row(*window, "aside");
+    enter(window, "camera_eye_x", "6");
+    QCOMPARE(aside().camera.eye.x, 6.0);
+    QCOMPARE(last_step(document), "Set position");
+    const int steps = step_count(document);
+    drag_title(*window, "camera_vertical_fov", 30);
+    QVERIFY(aside().camera.vertical_fov > 30.0);
+    QCOMPARE(step_count(document), steps + 1);
+    choose(window, "camera_lens", 3);
+    QCOMPARE(aside().camera.vertical_fov, vertical_fov(50.0, window.scene().film));
+    enter(window, "camera_target_x", "6");
+    enter(window, "camera_target_y", "0");
+    enter(window, "camera_target_z", "0");  // where its eye is: refused
+    QVERIFY(aside().camera.target != aside().camera.eye);
+    choose(window, "camera_projection", 1);
+    QVERIFY(aside().camera.height.has_value());
+    choose(window, "camera_projection", 0);
+    QVERIFY(window.scene().camera == before.camera);
+
+    click(window, "camera_roll_key");
+    QCOMPARE(last_step(document), "Set keyframe of aside roll");
+    window->timeline().set_frame(30);
+    enter(window, "camera_roll", "20");
+    QCOMPARE(aside().keys.roll.size(), 2u);
+    window->timeline().set_frame(15);
+    QCOMPARE(value(window, "camera_roll"), "10");
+    QVERIFY(window.scene().camera_keys == before.camera_keys);
+    // The values stay those of this camera, whichever is in use and by whatever name.
+    rename_camera(document, "aside", "beside");
+    QCOMPARE(value(window, "camera_roll"), "10");
+    click_row(*window, "beside", icon_column);
+    QCOMPARE(window.scene().camera.roll, 10.0);
+    document.undo_stack().undo();
+    QCOMPARE(value(window, "camera_roll"), "0");  // of that in use
+    click_row(*window, "beside");
+    delete_camera(document, "beside");
+    QCOMPARE(value(window, "camera_eye_x"), "0");
+    window->timeline().set_frame(0);
+    QVERIFY(is_undone(document, before));
   }
 
   void rows_look_through_their_cameras() {
@@ -137,7 +194,7 @@ class OutlinerCamerasTest : public QObject {
     editor = rows_of.findChild<QLineEdit*>("row_name");
     QVERIFY(editor);
     QTest::keyClick(editor, Qt::Key_Escape);
-    document.undo_stack().undo();
+    click_row(desk, "A wide one");
 
     QTest::keyClick(&rows_of, Qt::Key_D, Qt::ControlModifier);
     QCOMPARE(last_step(document), "Duplicate camera A wide one");

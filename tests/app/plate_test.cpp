@@ -7,6 +7,7 @@
 
 #include "app/commands/edit_cameras.h"
 #include "app/document/paths.h"
+#include "app/panels/forms/camera_panel.h"
 #include "app/panels/forms/plate_panel.h"
 #include "app/viewport/camera_frame.h"
 #include "app/viewport/viewport.h"
@@ -210,6 +211,22 @@ class PlateTest : public QObject {
     QSignalSpy refused(&plates(window), &PlatePanel::refused);
     QTRY_COMPARE(refused.size(), 1);
     QCOMPARE(plate_name(window), "Choose…");
+  }
+
+  void a_camera_that_is_not_in_use_gets_a_plate() {
+    TestWindow window(tiny_scene());
+    window.key(Qt::Key_0);
+    add_camera(window.document(), window.scene().camera);
+    auto& cameras = *window->findChild<CameraPanel*>();
+    cameras.show_camera("Camera");
+    plates(window).set_picture(red_picture(window));
+    QTRY_COMPARE(plate_name(window), "red.png");
+    enter(window, "plate_opacity", "0.25");
+    QVERIFY(is_drawn(window, 0.0));
+    cameras.show_camera("Camera 2");
+    QCOMPARE(plate_name(window), "Choose…");
+    use_camera(window.document(), "Camera");
+    QTRY_VERIFY(is_drawn(window, 0.25));
   }
 
   void a_camera_by_the_name_of_a_deleted_one_has_no_plate() {

@@ -289,7 +289,7 @@ class RandomHands {
         Camera camera = document_.scene().camera;
         camera = below(2) == 0 ? orthographic(camera) : perspective(camera);
         camera.roll = number();
-        return set_camera(document_, camera, "roll", no_merge);
+        return set_camera(document_, a_camera(), camera, "roll", no_merge);
       }
       default:
         add_camera(document_, {.eye = point() + glm::dvec3(3.0)});

@@ -14,6 +14,7 @@
 #include <functional>
 #include <glm/geometric.hpp>
 #include <string_view>
+#include <utility>
 
 #include "app/commands/edit_cameras.h"
 #include "app/commands/scene_part_command.h"
@@ -40,6 +41,7 @@ CameraPanel::CameraPanel(Document& document, std::function<Camera()> view, QWidg
       view_(std::move(view)),
       list_(named(new QListWidget(this), "cameras")),
       film_back_(QSettings().value(film_back_key, sensor_width).toDouble()) {
+  on_refresh([this] { follow_names(); });
   auto* form = new QFormLayout(this);
   form->setContentsMargins(6, 6, 6, 6);
   form->addRow(new_list());
@@ -48,9 +50,10 @@ CameraPanel::CameraPanel(Document& document, std::function<Camera()> view, QWidg
   toggles_ = new QVBoxLayout(toggles);
   toggles_->setContentsMargins(0, 0, 0, 0);
   form->addRow(toggles);
-  auto* plate = new PlatePanel(document, this);
-  form->addRow(plate);
-  connect(plate, &PlatePanel::plate_changed, this, &CameraPanel::plate_changed);
+  plate_ = new PlatePanel(
+      document, [this] { return name(); }, this);
+  form->addRow(plate_);
+  connect(plate_, &PlatePanel::plate_changed, this, &CameraPanel::plate_changed);
   add_values(*form);
   on_refresh([this] { show_cameras(); });
   refresh();
@@ -58,12 +61,12 @@ CameraPanel::CameraPanel(Document& document, std::function<Camera()> view, QWidg
 
 QWidget* CameraPanel::new_list() {
   list_->setToolTip(
-      tr("The scene's cameras. Click one to use it: it is what is rendered. Double-click or F2 "
-         "renames it"));
+      tr("The scene's cameras. That in use, in bold, is rendered. A click shows the values of one, "
+         "Enter uses it, a double click or F2 renames it"));
   list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   list_->setFixedHeight(list_rows * list_->fontMetrics().lineSpacing() + 16);
-  connect(list_, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) {
-    use_camera(document_, item->data(name_role).toString());
+  connect(list_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
+    if (item && !is_changing_) show_camera(item->data(name_role).toString());
   });
   on_delete_key(*list_, [this] {
     if (const QListWidgetItem* item = list_->currentItem()) {
@@ -96,13 +99,21 @@ QWidget* CameraPanel::new_buttons() {
     row->addWidget(button);
     return button;
   };
-  add(tr("Add from View"), "add_camera", tr("Adds a camera that sees what the view sees"),
-      [this] { add_camera(document_, view_()); });
-  add(tr("Look Through"), "look_through_camera", tr("Shows what the camera in use sees (0)"),
-      [this] { Q_EMIT look_through_asked_for(); });
-  QPushButton* remove = add(tr("Delete"), "delete_camera", tr("Deletes the camera in use"),
-                            [this] { delete_camera(document_, current_name()); });
-  on_refresh([this, remove] { remove->setEnabled(!document_.scene().cameras.empty()); });
+  add(tr("Add from View"), "add_camera", tr("Adds a camera that sees what the view sees"), [this] {
+    if (add_camera(document_, view_())) show_camera({});
+  });
+  QPushButton* use = add(tr("Use"), "use_camera", tr("Uses it: it is what is rendered"),
+                         [this] { use_camera(document_, name()); });
+  add(tr("Look Through"), "look_through_camera", tr("Uses it, and shows what it sees (0)"), [this] {
+    use_camera(document_, name());
+    Q_EMIT look_through_asked_for();
+  });
+  QPushButton* remove = add(tr("Delete"), "delete_camera", tr("Deletes the camera"),
+                            [this] { delete_camera(document_, name()); });
+  on_refresh([this, use, remove] {
+    use->setEnabled(!chosen_.isEmpty());
+    remove->setEnabled(!document_.scene().cameras.empty());
+  });
   return buttons;
 }
 
@@ -120,10 +131,16 @@ void CameraPanel::add_toggle(QAction* action) {
 void CameraPanel::add_values(QFormLayout& form) {
   const Fields<Camera> values{
       .prefix = "camera_",
-      .get = [this] { return &document_.scene().camera; },
-      .set = std::bind_front(&CameraPanel::set_camera, this),
-      .track = [](const Scene& scene,
-                  const FieldInfo& info) { return value_track<KeyedCamera>(scene, info.name); }};
+      .get = [this] { return &camera(); },
+      .set = std::bind_front(&CameraPanel::set_field, this),
+      .track =
+          [this](const Scene& scene, const FieldInfo& info) {
+            if (chosen_.isEmpty()) return value_track<KeyedCamera>(scene, info.name);
+            const auto found =
+                std::ranges::find(scene.cameras, chosen_.toStdString(), &NamedCamera::name);
+            return value_track<Cameras>(scene, info.name,
+                                        static_cast<std::size_t>(found - scene.cameras.begin()));
+          }};
   visit_fields<Camera>([&](const auto& field) {
     const std::string_view name = field.info.name;
     if (name == "vertical_fov") {
@@ -137,12 +154,16 @@ void CameraPanel::add_values(QFormLayout& form) {
   });
 }
 
-void CameraPanel::set_camera(const Camera& camera, const FieldInfo& info, MergeId gesture) {
+void CameraPanel::set_field(const Camera& camera, const FieldInfo& info, MergeId gesture) {
   if (const auto why = refusal(camera)) {
     Q_EMIT refused(field_label(info) + ": " + why->message);
     return refresh();
   }
-  brume::set_camera(document_, camera, field_label(info).toLower(), gesture);
+  set_camera(camera, field_label(info).toLower(), gesture);
+}
+
+void CameraPanel::set_camera(const Camera& camera, const QString& what, MergeId gesture) {
+  brume::set_camera(document_, name(), camera, what, gesture);
 }
 
 void CameraPanel::add_projection(QFormLayout& form) {
@@ -153,13 +174,11 @@ void CameraPanel::add_projection(QFormLayout& form) {
          "parallel, as on a map or a plan. Both show as much at what the camera looks at"));
   form.addRow(tr("Projection"), projection);
   connect(projection, &QComboBox::activated, this, [this](int index) {
-    const Camera& camera = document_.scene().camera;
-    if (camera.height.has_value() == (index == 1)) return;
-    brume::set_camera(document_, index == 1 ? orthographic(camera) : perspective(camera),
-                      tr("projection"), no_merge);
+    if (camera().height.has_value() == (index == 1)) return;
+    set_camera(index == 1 ? orthographic(camera()) : perspective(camera()), tr("projection"),
+               no_merge);
   });
-  on_refresh(
-      [this, projection] { projection->setCurrentIndex(document_.scene().camera.height ? 1 : 0); });
+  on_refresh([this, projection] { projection->setCurrentIndex(camera().height ? 1 : 0); });
 }
 
 // The same picture takes a shorter lens before a smaller film back.
@@ -194,14 +213,14 @@ void CameraPanel::add_film_backs(QFormLayout& form) {
 }
 
 double CameraPanel::focal_length() const {
-  const Scene& scene = document_.scene();
-  return brume::focal_length(scene.camera.vertical_fov, scene.film) * film_back_ / sensor_width;
+  return brume::focal_length(camera().vertical_fov, document_.scene().film) * film_back_ /
+         sensor_width;
 }
 
 void CameraPanel::set_focal_length(double length, MergeId gesture) {
-  Camera changed = document_.scene().camera;
+  Camera changed = camera();
   changed.vertical_fov = vertical_fov(length * sensor_width / film_back_, document_.scene().film);
-  brume::set_camera(document_, changed, tr("focal length"), gesture);
+  set_camera(changed, tr("focal length"), gesture);
 }
 
 void CameraPanel::add_lenses(QFormLayout& form) {
@@ -228,7 +247,7 @@ void CameraPanel::add_lenses(QFormLayout& form) {
     const auto found = std::ranges::find_if(lenses, [length](const Lens& lens) {
       return std::abs(lens.focal_length - length) < 1e-6 * length;
     });
-    box->setEnabled(!document_.scene().camera.height);
+    box->setEnabled(!camera().height);
     box->setCurrentIndex(found == lenses.end() ? -1 : static_cast<int>(found - lenses.begin()));
   });
 }
@@ -236,10 +255,7 @@ void CameraPanel::add_lenses(QFormLayout& form) {
 void CameraPanel::add_focal_length(QFormLayout& form) {
   add_number(form, tr("Focal length, mm"),
              {"focal_length", focal_lengths, ValueField::Scale::logarithmic, 0.005,
-              [this] {
-                return document_.scene().camera.height ? std::nullopt
-                                                       : std::optional(focal_length());
-              },
+              [this] { return camera().height ? std::nullopt : std::optional(focal_length()); },
               std::bind_front(&CameraPanel::set_focal_length, this)})
       ->setToolTip(
           tr("Of a lens before the film back: of 36 mm, 24 is wide, 50 normal, 85 and more "
@@ -247,44 +263,62 @@ void CameraPanel::add_focal_length(QFormLayout& form) {
 }
 
 void CameraPanel::add_focus(QFormLayout& form) {
-  const auto camera = [this]() -> const Camera& { return document_.scene().camera; };
   auto* on_target = named(new QCheckBox(tr("Focus on what it looks at"), this), "focus_on_target");
   form.addRow({}, on_target);
-  connect(on_target, &QCheckBox::clicked, this, [this, camera](bool on) {
+  connect(on_target, &QCheckBox::clicked, this, [this](bool on) {
     Camera changed = camera();
     changed.focus_distance.reset();
     if (!on) changed.focus_distance = glm::length(changed.target - changed.eye);
-    brume::set_camera(document_, changed, tr("focus distance"), no_merge);
+    set_camera(changed, tr("focus distance"), no_merge);
   });
-  on_refresh([on_target, camera] {
+  on_refresh([this, on_target] {
     on_target->setChecked(!camera().focus_distance);
     on_target->setEnabled(camera().aperture > 0.0);
   });
 }
 
-QString CameraPanel::current_name() const {
+QString CameraPanel::name_in_use() const {
   return QString::fromStdString(document_.scene().camera_name);
+}
+
+QString CameraPanel::name() const {
+  return chosen_.isEmpty() ? name_in_use() : chosen_;
+}
+
+const Camera& CameraPanel::camera() const {
+  const Camera* found = find_camera(document_.scene(), chosen_);
+  return found ? *found : document_.scene().camera;
+}
+
+void CameraPanel::show_camera(const QString& name) {
+  chosen_ = name;
+  refresh();
+  plate_->refresh();
+}
+
+void CameraPanel::follow_names() {
+  const QStringList before = std::exchange(names_, camera_names(document_.scene()));
+  chosen_ = camera_name_after(before, names_, chosen_);
+  if (chosen_ == name_in_use()) chosen_.clear();
 }
 
 void CameraPanel::show_cameras() {
   if (is_changing_) return;
-  const Scene& scene = document_.scene();
-  QStringList names{current_name()};
-  for (const NamedCamera& camera : scene.cameras) names << QString::fromStdString(camera.name);
+  QStringList names = names_;
   names.sort(Qt::CaseInsensitive);
   is_changing_ = true;
   while (list_->count() > names.size()) delete list_->takeItem(list_->count() - 1);
   while (list_->count() < names.size()) list_->addItem(QString());
   for (int k = 0; k < list_->count(); ++k) {
     QListWidgetItem* item = list_->item(k);
-    const bool in_use = names[k] == current_name();
+    const bool in_use = names[k] == name_in_use();
     item->setText(names[k]);
     item->setData(name_role, names[k]);
     item->setFlags(item->flags() | Qt::ItemIsEditable);
     QFont font = list_->font();
     font.setBold(in_use);
     item->setFont(font);
-    if (in_use) list_->setCurrentItem(item);
+    if (names[k] == name()) list_->setCurrentItem(item);
   }
   is_changing_ = false;
 }

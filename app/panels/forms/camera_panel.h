@@ -10,9 +10,10 @@ class QVBoxLayout;
 
 namespace brume {
 
+class PlatePanel;
 struct Camera;
 
-// The scene's cameras by name, and place and lens of the one in use.
+// The scene's cameras by name, and place, lens and plate of one of them, which need not be in use.
 class CameraPanel : public SceneForm {
   Q_OBJECT
  public:
@@ -21,6 +22,8 @@ class CameraPanel : public SceneForm {
 
   // Adds a check box for what the view shows of the camera.
   void add_toggle(QAction* action);
+  // Shows its values. Empty: that in use, whichever it is.
+  void show_camera(const QString& name);
 
  Q_SIGNALS:
   void look_through_asked_for();
@@ -37,12 +40,19 @@ class CameraPanel : public SceneForm {
   [[nodiscard]] double focal_length() const;  // of the lens before the film back [mm]
   void set_focal_length(double length, MergeId gesture);
   void add_focus(QFormLayout& form);
-  void set_camera(const Camera& camera, const FieldInfo& info, MergeId gesture);
+  void set_field(const Camera& camera, const FieldInfo& info, MergeId gesture);
+  void set_camera(const Camera& camera, const QString& what, MergeId gesture);
+  void follow_names();
   void show_cameras();
-  [[nodiscard]] QString current_name() const;
+  [[nodiscard]] QString name_in_use() const;
+  [[nodiscard]] QString name() const;  // of the camera whose values are shown
+  [[nodiscard]] const Camera& camera() const;
 
   std::function<Camera()> view_;
   QListWidget* list_;
+  PlatePanel* plate_ = nullptr;
+  QString chosen_;  // name of the camera whose values are shown; empty: it is in use
+  QStringList names_;
   QVBoxLayout* toggles_ = nullptr;
   double film_back_;          // its width [mm], a setting of the user
   bool is_changing_ = false;  // the list, by this panel or by a name that is being taken over

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/commands/edit_cameras.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/files/file_dialogs.h"
@@ -47,15 +48,10 @@ QString scene_of(const QVariant& entry) {
   return entry.toMap().value("scene").toString();
 }
 
-QStringList camera_names(const Scene& scene) {
-  QStringList names{QString::fromStdString(scene.camera_name)};
-  for (const NamedCamera& camera : scene.cameras) names << QString::fromStdString(camera.name);
-  return names;
-}
-
 }  // namespace
 
-PlatePanel::PlatePanel(Document& document, QWidget* parent) : SceneForm(document, parent) {
+PlatePanel::PlatePanel(Document& document, std::function<QString()> camera, QWidget* parent)
+    : SceneForm(document, parent), camera_(std::move(camera)) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
   auto* choose = named(new QPushButton(this), "plate_picture");
@@ -104,12 +100,12 @@ PlatePanel::CameraKey PlatePanel::key_of(const QString& camera) const {
   return {camera, later == known->second.begin() ? 0 : *std::prev(later)};
 }
 
-PlatePanel::CameraKey PlatePanel::camera() const {
+PlatePanel::CameraKey PlatePanel::in_use() const {
   return key_of(QString::fromStdString(document_.scene().camera_name));
 }
 
-PlatePanel::Plate PlatePanel::plate() const {
-  const auto found = plates_.find(camera());
+PlatePanel::Plate PlatePanel::plate_of(const CameraKey& camera) const {
+  const auto found = plates_.find(camera);
   return found == plates_.end() ? Plate() : found->second;
 }
 
@@ -144,7 +140,7 @@ void PlatePanel::read_next() {
       const CameraKey chosen_for = choices_.front().camera;
       Plate& plate = plates_[chosen_for];
       plate.file = to_qstring(file);
-      if (chosen_for == camera()) {
+      if (chosen_for == in_use()) {
         reading_.cancel();
         shown_ = plate.file;
         picture_ = picture;
@@ -205,15 +201,15 @@ void PlatePanel::follow_cameras() {
     if (is_new_state && !previous_names.contains(name)) since_[name].insert(last_revision_);
     cameras.push_back(key_of(name));
   }
-  const std::vector<CameraKey> previous = std::exchange(cameras_, cameras);
-  for (std::size_t k = 0; cameras.size() == previous.size() && k < cameras.size(); ++k) {
-    if (previous_names.contains(cameras[k].first) || names.contains(previous[k].first)) continue;
+  for (const CameraKey& key : std::exchange(cameras_, cameras)) {
+    const QString name = camera_name_after(previous_names, names, key.first);
+    if (name.isEmpty() || name == key.first) continue;
     for (Choice& choice : choices_) {
-      if (choice.camera == previous[k]) choice.camera = cameras[k];
+      if (choice.camera == key) choice.camera = key_of(name);
     }
-    auto plate = plates_.extract(previous[k]);
+    auto plate = plates_.extract(key);
     if (!plate) continue;
-    plate.key() = cameras[k];
+    plate.key() = key_of(name);
     plates_.insert(std::move(plate));
   }
   store();
@@ -221,7 +217,7 @@ void PlatePanel::follow_cameras() {
 }
 
 void PlatePanel::show_plate() {
-  const Plate shown = plate();
+  const Plate shown = plate_of(in_use());
   if (shown.file != shown_) {
     shown_ = shown.file;
     picture_ = {};

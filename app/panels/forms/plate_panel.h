@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <set>
 #include <utility>
@@ -15,12 +16,16 @@
 
 namespace brume {
 
-// A photographed picture over the frame of the camera in use, to match the scene with. It is no
-// part of the scene: the user's settings keep it, by scene file and name of the camera.
+// A photographed picture over the frame of a camera, to match the scene with. That of the camera in
+// use is shown. It is no part of the scene: the user's settings keep it, by scene file and name of
+// the camera.
 class PlatePanel : public SceneForm {
   Q_OBJECT
  public:
-  PlatePanel(Document& document, QWidget* parent);
+  // `camera`: the name of that whose plate it is.
+  PlatePanel(Document& document, std::function<QString()> camera, QWidget* parent);
+
+  using SceneForm::refresh;
 
   // Reads it in the background. Empty: none.
   void set_picture(const std::filesystem::path& file);
@@ -44,8 +49,10 @@ class PlatePanel : public SceneForm {
 
   void choose();
   [[nodiscard]] CameraKey key_of(const QString& camera) const;
-  [[nodiscard]] CameraKey camera() const;  // in use
-  [[nodiscard]] Plate plate() const;       // of the camera in use
+  [[nodiscard]] CameraKey camera() const { return key_of(camera_()); }
+  [[nodiscard]] CameraKey in_use() const;
+  [[nodiscard]] Plate plate_of(const CameraKey& camera) const;
+  [[nodiscard]] Plate plate() const { return plate_of(camera()); }
   void set_plate(const Plate& plate);
   void restore();
   void store() const;
@@ -53,6 +60,7 @@ class PlatePanel : public SceneForm {
   void follow_cameras();
   void show_plate();
 
+  std::function<QString()> camera_;
   std::map<CameraKey, Plate> plates_;                 // of deleted cameras as well
   std::vector<CameraKey> cameras_;                    // of the scene
   std::map<QString, std::set<std::uint64_t>> since_;  // what keys of cameras have, by name

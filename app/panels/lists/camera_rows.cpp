@@ -23,6 +23,11 @@ QString CameraRows::name_of(std::size_t place) const {
   return QString::fromStdString(place == 0 ? scene.camera_name : scene.cameras[place - 1].name);
 }
 
+std::optional<std::size_t> CameraRows::place_of(const QString& name) const {
+  const qsizetype place = camera_names(document_.scene()).indexOf(name);
+  return place < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(place));
+}
+
 void CameraRows::add_rows(QTreeWidgetItem& cameras,
                           const std::function<QTreeWidgetItem*(std::size_t place)>& make) {
   std::vector<std::size_t> places(document_.scene().cameras.size() + 1);
@@ -38,12 +43,12 @@ void CameraRows::add_rows(QTreeWidgetItem& cameras,
     item->setData(name_column, NameDelegate::name_role, name);
     item->setToolTip(name_column,
                      plain_tool_tip(place == 0 ? tr("%1 is in use: it is rendered").arg(name)
-                                               : tr("%1: a click uses it").arg(name)));
+                                               : tr("%1: its icon uses it").arg(name)));
     QFont font = item->font(name_column);
     font.setBold(place == 0);
     item->setFont(name_column, font);
     item->setIcon(icon_column, load_tree_icon("camera"));
-    item->setToolTip(icon_column, tr("Look through"));
+    item->setToolTip(icon_column, tr("Use and look through"));
     cameras.addChild(item);
   }
 }
@@ -74,6 +79,7 @@ void CameraRows::remove(std::size_t place) {
 }
 
 void CameraRows::fill_menu(QMenu& menu, std::size_t place) {
+  menu.addAction(tr("Use"), this, [this, place] { use(place); })->setEnabled(place > 0);
   menu.addAction(tr("Look Through"), this, [this, place] { look_through(place); });
   menu.addAction(tr("Rename"), this, [this] { tree_.editItem(tree_.currentItem(), name_column); });
   menu.addAction(tr("Duplicate"), this, [this, place] { duplicate(place); });

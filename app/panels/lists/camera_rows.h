@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <functional>
+#include <optional>
 
 #include "app/panels/lists/group_rows.h"
 
@@ -14,7 +15,8 @@ namespace brume {
 class Document;
 
 // The rows of the scene's cameras in the outliner: the one in use has a bold name, and the icon of
-// each looks through it. Cameras are known by their places: 0 is in use, k + 1 the k-th other.
+// each uses it and looks through it. Cameras are known by their places: 0 is in use, k + 1 the k-th
+// other.
 class CameraRows : public QObject {
   Q_OBJECT
  public:
@@ -23,7 +25,8 @@ class CameraRows : public QObject {
   // New rows below `cameras`; those of the tree are gone. `make` makes an item without a text.
   void add_rows(QTreeWidgetItem& cameras,
                 const std::function<QTreeWidgetItem*(std::size_t place)>& make);
-  // A camera in use is the selected thing: no object is.
+  // The place of a camera by its name.
+  [[nodiscard]] std::optional<std::size_t> place_of(const QString& name) const;
   void use(std::size_t place);
   void look_through(std::size_t place);
   void rename(std::size_t place, const QString& name);

@@ -4,7 +4,6 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
-#include <QMouseEvent>
 #include <QTimer>
 #include <QTreeWidgetItemIterator>
 #include <algorithm>
@@ -117,6 +116,7 @@ void Outliner::rebuild() {
   const std::optional<GroupId> current_group = group_of(currentItem());
   const std::optional<SplineId> current_spline = spline_of(currentItem());
   const std::optional<std::size_t> current_camera = camera_of(currentItem());
+  const QString camera_name = current_camera ? currentItem()->text(name_column) : QString();
   const QSignalBlocker blocker(this);
   clear();
   nodes_->clear();
@@ -162,7 +162,11 @@ void Outliner::rebuild() {
   if (current) set_current(*current);
   if (current_group) set_current(Kind::group, *current_group);
   if (current_spline) set_current(Kind::spline, *current_spline);
-  if (current_camera) set_current(Kind::camera, std::min(*current_camera, scene.cameras.size()));
+  if (current_camera) {
+    set_current(
+        Kind::camera,
+        cameras_->place_of(camera_name).value_or(std::min(*current_camera, scene.cameras.size())));
+  }
 }
 
 QTreeWidgetItem* Outliner::new_object_item(const ObjectRef& ref) {
@@ -251,7 +255,7 @@ void Outliner::click(const QTreeWidgetItem* item, int column) {
   if (const auto spline = spline_of(item)) return splines_->edit(*spline);
   if (const auto camera = camera_of(item)) {
     if (column == eye_column) return cameras_->look_through(*camera);
-    return cameras_->use(*camera);
+    document_.set_object(std::nullopt);
   }
   Q_EMIT asked_for(static_cast<Kind>(item->data(0, kind_role).toInt()),
                    item->data(0, index_role).toULongLong());
@@ -326,13 +330,6 @@ void Outliner::keyPressEvent(QKeyEvent* event) {
     if (is_key_of("edit.rename", *event)) return editItem(currentItem(), name_column);
   }
   QTreeWidget::keyPressEvent(event);
-}
-
-// A click that uses a camera makes its row anew, so that Qt takes the second one for another first.
-void Outliner::mouseDoubleClickEvent(QMouseEvent* event) {
-  const QModelIndex index = indexAt(event->position().toPoint());
-  if (index.column() == name_column && camera_of(itemFromIndex(index))) return edit(index);
-  QTreeWidget::mouseDoubleClickEvent(event);
 }
 
 void Outliner::contextMenuEvent(QContextMenuEvent* event) {

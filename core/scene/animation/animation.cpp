@@ -10,6 +10,7 @@
 namespace brume {
 namespace {
 
+// What a frame of the scene shows.
 void visit_all(auto& scene, double& homogeneous_density, auto&& visit) {
   visit_keyed(scene.camera, scene.camera_keys, visit);
   visit_keyed_density(homogeneous_density, scene.density_keys, visit);
@@ -35,15 +36,22 @@ void visit_imported(const Scene& scene, auto&& visit) {
   }
 }
 
+void keep_target_off_eye(Camera& camera) {
+  if (glm::length(camera.target - camera.eye) > 0.0) return;
+  // So far that it is another point, however far out both are.
+  camera.target.z -= 1.0 + 1e-6 * glm::length(camera.eye);
+}
+
 }  // namespace
 
 bool has_keys(const Scene& scene) {
   bool found = false;
   double unused = 0.0;
-  visit_all(scene, unused,
-            [&found](const char*, const auto&, const auto& keys, const NumberDomain&) {
-              found = found || !keys.empty();
-            });
+  const auto look = [&found](const char*, const auto&, const auto& keys, const NumberDomain&) {
+    found = found || !keys.empty();
+  };
+  visit_all(scene, unused, look);
+  for (const NamedCamera& camera : scene.cameras) visit_keyed(camera.camera, camera.keys, look);
   visit_imported(scene, [&found](const auto& keys) { found = found || keys.size() > 1; });
   return found;
 }
@@ -63,15 +71,16 @@ double last_key_time(const Scene& scene) {
 
 void apply_keys(Scene& scene, double time) {
   double homogeneous_density = scene.medium.homogeneous_density();
-  visit_all(scene, homogeneous_density,
-            [time](const char*, auto& value, const auto& keys, const NumberDomain& domain) {
-              if (!keys.empty()) value = value_at(keys, time, domain);
-            });
+  const auto evaluate = [time](const char*, auto& value, const auto& keys,
+                               const NumberDomain& domain) {
+    if (!keys.empty()) value = value_at(keys, time, domain);
+  };
+  visit_all(scene, homogeneous_density, evaluate);
   scene.medium.set_homogeneous_density(homogeneous_density);
-  Camera& camera = scene.camera;
-  if (!(glm::length(camera.target - camera.eye) > 0.0)) {
-    // So far that it is another point, however far out both are.
-    camera.target.z -= 1.0 + 1e-6 * glm::length(camera.eye);
+  keep_target_off_eye(scene.camera);
+  for (NamedCamera& camera : scene.cameras) {
+    visit_keyed(camera.camera, camera.keys, evaluate);
+    keep_target_off_eye(camera.camera);
   }
 }
 

@@ -37,13 +37,13 @@ void visit_keyed_density(D& homogeneous_density, K& keys, auto&& visit) {
   visit("density", homogeneous_density, keys, domain::density);
 }
 
-// Whether any value has keyframes, or an imported scene moves.
+// Whether any value has keyframes, of cameras that are not in use, too, or an imported scene moves.
 bool has_keys(const Scene& scene);
 // Time of the last keyframe, of imported scenes too, at least 0 [s].
 double last_key_time(const Scene& scene);
 
-// Evaluates all keyframed values at a time [s]. If the camera's eye and target coincide, it looks
-// along -z.
+// Evaluates all keyframed values at a time [s], of cameras that are not in use, too. If a camera's
+// eye and target coincide, it looks along -z.
 void apply_keys(Scene& scene, double time);
 
 void clear_keys(Scene& scene);
