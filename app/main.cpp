@@ -98,6 +98,7 @@ int main(int argc, char* argv[]) {
     window.resize(size);
   }
   if (parser.isSet("screenshot")) window.quit_with_screenshot(parser.value("screenshot"));
+  window.keep_layout();
   window.show();
   const QStringList scenes = parser.positionalArguments();
   if (scenes.isEmpty()) {

@@ -25,7 +25,7 @@ std::string summary(const FrameLoop::Result& result) {
 }  // namespace
 
 void export_frames(int first, int last, const Job& job, const ExportFrame& make,
-                   const std::set<int>& complete) {
+                   const std::set<int>& complete, const FrameFailed& failed) {
   std::vector<int> frames(static_cast<std::size_t>(last - first + 1));
   std::iota(frames.begin(), frames.end(), first);
   const int count = last - first + 1;
@@ -37,6 +37,7 @@ void export_frames(int first, int last, const Job& job, const ExportFrame& make,
   steps.skips = [&](int frame) { return complete.contains(frame); };
   const auto first_made = std::ranges::find_if_not(frames, steps.skips);
   steps.failed = [&](int frame, const std::string& why) {
+    if (failed) failed(frame, why);
     if (frame == *first_made) throw std::runtime_error(why);
   };
   const FrameLoop::Result result = FrameLoop::run(frames, steps);

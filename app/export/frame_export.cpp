@@ -21,8 +21,13 @@ class Exporter {
   // Hands on each frame when it is done with it, and the number of each that is written.
   using Deliver = std::function<void(ExportedFrame)>;
   using Written = std::function<void(std::optional<int> number)>;
-  Exporter(const FrameExportRequest& request, const Job& job, Written written, Deliver deliver)
-      : request_(request), job_(job), written_(std::move(written)), deliver_(std::move(deliver)) {}
+  struct Told {
+    Written written;
+    Deliver deliver;
+    FrameFailed failed;
+  };
+  Exporter(const FrameExportRequest& request, const Job& job, Told told)
+      : request_(request), job_(job), told_(std::move(told)) {}
 
   void run() {
     if (!request_.range) {
@@ -37,7 +42,7 @@ class Exporter {
                 request_.file.empty() ? request_.file : numbered_file(request_.file, number);
             return writing(file, numbered_frame(number, k, count), number);
           },
-          written_frames());
+          written_frames(), told_.failed);
     }
   }
 
@@ -66,7 +71,7 @@ class Exporter {
     if (!frame || job_.stop.stop_requested()) throw Cancelled();
     const double milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
     const QString details = picture_details(*frame, settings_of(*frame->request), milliseconds);
-    deliver_({make_picture(*frame, request_.info.look, title, details), milliseconds});
+    told_.deliver({make_picture(*frame, request_.info.look, title, details), milliseconds});
     return std::move(*frame);
   }
 
@@ -83,12 +88,12 @@ class Exporter {
     info.frame = number;
     if (is_deep_file(file)) {
       if (!renderer_.write_deep(file, *request_.scene, frame, info, job_.stop)) throw Cancelled();
-      return [this, number] { written_(number); };
+      return [this, number] { told_.written(number); };
     }
     const auto content = std::make_shared<const Frame>(std::move(frame));
     return [this, file, info, content] {
       write_frame(file, *content, info);
-      written_(info.frame);
+      told_.written(info.frame);
     };
   }
 
@@ -106,13 +111,12 @@ class Exporter {
       video.finish(job_.stop);
       if (job_.stop.stop_requested()) throw Cancelled();
     });
-    written_({});
+    told_.written({});
   }
 
   const FrameExportRequest& request_;
   const Job& job_;
-  Written written_;
-  Deliver deliver_;
+  Told told_;
   SceneRenderer renderer_;
 };
 
@@ -135,7 +139,12 @@ void FrameExport::start(const FrameExportRequest& request) {
     const auto deliver = [this, &job](ExportedFrame frame) {
       job_.deliver(job, [this, frame = std::move(frame)] { Q_EMIT rendered(frame); });
     };
-    Exporter(loaded, job, written, deliver).run();
+    const auto failed = [this, &job](int frame, const std::string& why) {
+      job_.deliver(job, [this, frame, text = QString::fromStdString(why)] {
+        Q_EMIT frame_failed(frame, text);
+      });
+    };
+    Exporter(loaded, job, {written, deliver, failed}).run();
     return [this, file = to_qstring(request.file)] { Q_EMIT finished(file); };
   };
   job_.start(work, request.file.empty()

@@ -29,6 +29,7 @@ struct FrameExportRequest {
   std::optional<Range> range;  // nullopt: one frame
   std::set<int> complete{};    // frames of the range whose files are written
   QString title{};             // of its pictures
+  int priority = 0;            // in the queue: 1 before 0 before -1
   // A render that an earlier session left has the file of its scene instead, and the view that its
   // pictures are shown by. Both are read when it starts.
   std::filesystem::path kept_scene{};
@@ -55,7 +56,8 @@ class FrameExport : public QObject {
   void finished(const QString& file);
   // Each frame, also one that is not written.
   void rendered(const brume::ExportedFrame& frame);
-  void written(int frame);      // of a range, to its file
+  void written(int frame);  // of a range, to its file
+  void frame_failed(int frame, const QString& why);
   void cancelled(int written);  // number of written files
   void failed(const QString& message);
 

@@ -2,6 +2,8 @@
 
 #include <QWidget>
 
+class QComboBox;
+class QGridLayout;
 class QLabel;
 class QPushButton;
 class QTreeWidget;
@@ -23,20 +25,27 @@ class QueueList : public QWidget {
   void rebuild();
   void show_time_left();
   void show_progress(int id, int percent);
+  void add_buttons(QGridLayout& layout);
+  void add_details(QGridLayout& layout);
   void update_buttons();
+  void show_details();
+  void show_menu(const QPoint& position);
+  void move_to_row(int id, int row);
   void open_folder();
   [[nodiscard]] int current() const;  // id; 0: none
 
   RenderQueue& queue_;
   QTreeWidget* list_;
   QLabel* empty_;
-  QPushButton* show_;
-  QPushButton* folder_;
-  QPushButton* cancel_;
-  QPushButton* resume_;
-  QPushButton* sooner_;
-  QPushButton* later_;
-  QPushButton* remove_;
+  QLabel* details_ = nullptr;
+  QComboBox* priority_ = nullptr;
+  QPushButton* show_ = nullptr;
+  QPushButton* folder_ = nullptr;
+  QPushButton* cancel_ = nullptr;
+  QPushButton* resume_ = nullptr;
+  QPushButton* sooner_ = nullptr;
+  QPushButton* later_ = nullptr;
+  QPushButton* remove_ = nullptr;
 };
 
 // Whether the renders of a queue may be stopped; asks if any is not done.

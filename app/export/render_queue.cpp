@@ -3,6 +3,7 @@
 #include <QDateTime>
 #include <QThread>
 #include <algorithm>
+#include <utility>
 
 #include "app/document/paths.h"
 #include "app/files/numbered_file.h"
@@ -68,6 +69,9 @@ RenderQueue::RenderQueue(const std::filesystem::path& folder, QObject* parent)
       running->request.complete.insert(frame);
       update(*running);
     }
+  });
+  connect(&export_, &FrameExport::frame_failed, this, [this](int frame, const QString& why) {
+    if (Item* running = item(running_)) running->failed[frame] = why;
   });
   connect(&export_.job(), &BackgroundJob::progressed, this, [this](int percent) {
     Item* running = item(running_);
@@ -166,6 +170,7 @@ void RenderQueue::resume(int id) {
   known->message.clear();
   known->milliseconds = 0.0;
   known->rendered = 0;
+  known->failed.clear();
   update(*known);
   start_next();
   Q_EMIT changed();
@@ -190,11 +195,33 @@ void RenderQueue::move(int id, bool sooner) {
   Item* moved = item(id);
   if (!moved || moved->state != State::waiting) return;
   Item* other = waiting_beside(id, sooner);
-  if (!other) return;
-  std::swap(*moved, *other);
-  std::swap(moved->place, other->place);
-  update(*moved);
-  update(*other);
+  if (other) sooner ? move_before(id, other->id) : move_before(other->id, id);
+}
+
+void RenderQueue::move_before(int id, int other) {
+  const auto moved = std::ranges::find(items_, id, &Item::id);
+  const auto next = std::ranges::find(items_, other, &Item::id);
+  if (moved == items_.end() || moved->state != State::waiting || id == other) return;
+  std::vector<double> places;
+  for (const Item& it : items_) places.push_back(it.place);
+  if (next < moved) {
+    std::rotate(next, moved, moved + 1);
+  } else {
+    std::rotate(moved, moved + 1, next);
+  }
+  for (std::size_t k = 0; k < items_.size(); ++k) {
+    Item& it = items_[k];
+    if (std::exchange(it.place, places[k]) == places[k]) continue;
+    if (it.state != State::done && it.state != State::cancelled) update(it);
+  }
+  Q_EMIT changed();
+}
+
+void RenderQueue::set_priority(int id, int priority) {
+  Item* known = item(id);
+  if (!known || known->request.priority == priority) return;
+  known->request.priority = priority;
+  if (known->state != State::done && known->state != State::cancelled) update(*known);
   Q_EMIT changed();
 }
 
@@ -220,8 +247,12 @@ std::optional<double> RenderQueue::seconds_left() const {
 
 void RenderQueue::start_next() {
   if (running_ != 0 || export_.job().is_running()) return;
-  const auto next = std::ranges::find(items_, State::waiting, &Item::state);
-  if (next == items_.end()) return;
+  Item* next = nullptr;
+  for (Item& it : items_) {
+    const bool is_first = !next || it.request.priority > next->request.priority;
+    if (it.state == State::waiting && is_first) next = &it;
+  }
+  if (!next) return;
   next->state = State::rendering;
   running_ = next->id;
   removes_running_ = false;

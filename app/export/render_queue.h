@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QString>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -24,11 +25,12 @@ class RenderQueue : public QObject {
     FrameExportRequest request;
     State state = State::waiting;
     int percent = 0;
-    QString message{};          // why it failed
-    double milliseconds = 0.0;  // of its frames so far
-    int rendered = 0;           // how many they are
-    QString kept{};             // its name among the kept renders
-    double place = 0.0;         // among them
+    QString message{};                // why it failed
+    double milliseconds = 0.0;        // of its frames so far
+    int rendered = 0;                 // how many they are
+    std::map<int, QString> failed{};  // frames, and why
+    QString kept{};                   // its name among the kept renders
+    double place = 0.0;               // among them
     // False also of one whose files are damaged.
     [[nodiscard]] bool can_resume() const;
   };
@@ -49,6 +51,10 @@ class RenderQueue : public QObject {
   void resume(int id);
   // Moves one that waits before the one that waits before it, or after the next.
   void move(int id, bool sooner);
+  // Moves one that waits before any other; 0: behind all.
+  void move_before(int id, int other);
+  // Of those that wait the first with the highest priority is rendered next.
+  void set_priority(int id, int priority);
 
   // The exporter renders, and tells of single frames.
   [[nodiscard]] FrameExport& exporter() { return export_; }

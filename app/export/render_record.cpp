@@ -75,6 +75,9 @@ class RecordReader {
     request.file = to_path(root["file"].toString());
     request.info.scene = root["scene_name"].toString().toStdString();
     request.info.bits = root["bits"] == QJsonValue(16) ? 16 : 8;
+    if (root.contains("priority")) {
+      request.priority = whole_number(root["priority"], "priority", -1, 1);
+    }
     read_look(root["look"].toObject(), request);
     if (root.contains("range")) read_range(root, request);
     if (root.contains("film")) request.request.film = film_of(root["film"].toArray());
@@ -163,6 +166,7 @@ QByteArray record_text(const FrameExportRequest& request, double place) {
                    {"look", look_object(request)},
                    {"options", option_texts(request.request)}};
   if (request.request.film) root["film"] = film_numbers(*request.request.film);
+  if (request.priority != 0) root["priority"] = request.priority;
   if (const auto& range = request.range) {
     root["range"] = QJsonArray{range->first, range->last, range->frames_per_second};
     QJsonArray complete;

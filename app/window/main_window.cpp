@@ -152,6 +152,23 @@ void MainWindow::restore_layout() {
   restoreState(settings.value("window/state").toByteArray());
 }
 
+void MainWindow::keep_layout() {
+  constexpr int interval = 2000;  // milliseconds
+  auto* timer = new QTimer(this);
+  connect(timer, &QTimer::timeout, this, &MainWindow::store_layout);
+  timer->start(interval);
+}
+
+void MainWindow::store_layout() {
+  if (!isVisible()) return;
+  QSettings settings;
+  const auto store = [&settings](const char* key, const QByteArray& value) {
+    if (settings.value(key).toByteArray() != value) settings.setValue(key, value);
+  };
+  store("window/geometry", saveGeometry());
+  store("window/state", saveState());
+}
+
 void MainWindow::follow_time() {
   connect(timeline_, &Timeline::frame_changed, this, &MainWindow::show_time);
   on_change(document_, Change::scene, timeline_, [this] {
@@ -274,9 +291,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
-  QSettings settings;
-  settings.setValue("window/geometry", saveGeometry());
-  settings.setValue("window/state", saveState());
+  store_layout();
   autosave_->end();
   event->accept();
 }

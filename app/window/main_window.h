@@ -40,6 +40,8 @@ class MainWindow : public QMainWindow {
   // Leaves a recovery copy of unsaved work, what is being typed included, before the program is
   // ended from outside.
   void keep_unsaved_work();
+  // Stores the layout as it changes, not only when the window is closed.
+  void keep_layout();
 
   // Saves a picture of this window once it shows a full frame and its error, then quits.
   void quit_with_screenshot(const QString& file);
@@ -56,6 +58,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] Workspace workspace();
   void lay_out_center();
   void restore_layout();
+  void store_layout();
   void follow_time();
   void offer_recovery();
   void update_title();

@@ -1,7 +1,13 @@
 // Renders that a session does not finish are in the queue of the next one.
 
+#include <QDirIterator>
+#include <QDockWidget>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMimeData>
 #include <QProcess>
 #include <QPushButton>
+#include <QSettings>
 #include <QTreeWidget>
 #include <fstream>
 
@@ -82,6 +88,19 @@ struct ListedQueue {
   QueueList list;
 };
 
+// Drags the current row to a place in the list, with the events of Qt.
+void drop_row(QTreeWidget& tree, QPoint place) {
+  const std::unique_ptr<QMimeData> data(tree.model()->mimeData({tree.currentIndex()}));
+  if (!(tree.currentItem()->flags() & Qt::ItemIsDragEnabled)) return;
+  QDragEnterEvent enter(place, Qt::CopyAction, data.get(), Qt::LeftButton, {});
+  QApplication::sendEvent(tree.viewport(), &enter);
+  QDragMoveEvent move(place, Qt::CopyAction, data.get(), Qt::LeftButton, {});
+  QApplication::sendEvent(tree.viewport(), &move);
+  QDropEvent event(place, Qt::CopyAction, data.get(), Qt::LeftButton, {});
+  QApplication::sendEvent(tree.viewport(), &event);
+  QCoreApplication::processEvents();
+}
+
 void write_text(const fs::path& file, const std::string& text) {
   std::ofstream(file) << text;
 }
@@ -143,6 +162,135 @@ class KeptRendersTest : public QObject {
     click(next.list, "queue_remove");
     QTRY_VERIFY(next.queue.items().empty());
     QTRY_VERIFY(fs::is_empty(folder / "renders"));
+  }
+
+  // Runs in a process of its own, which the next test kills.
+  void a_window_is_laid_out_until_killed() {
+    const QString folder = qEnvironmentVariable(killed_folder);
+    if (folder.isEmpty()) return;
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder);
+    TestWindow window(tiny_scene());
+    window->keep_layout();
+    window->resize(1111, 777);
+    window->findChild<QDockWidget*>("outliner")->hide();
+    window->findChild<QDockWidget*>("lighting")->setFloating(true);
+    QTest::qWait(patience);
+  }
+
+  void the_layout_of_a_killed_window_comes_back() {
+    const QTemporaryDir folder;
+    QProcess other;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(killed_folder, folder.path());
+    other.setProcessEnvironment(environment);
+    other.start(QCoreApplication::applicationFilePath(),
+                {"kept_renders", "a_window_is_laid_out_until_killed"});
+    const auto kept = [&](const char* key) {
+      QDirIterator files(folder.path(), {"*.conf"}, QDir::Files, QDirIterator::Subdirectories);
+      return files.hasNext() ? QSettings(files.next(), QSettings::NativeFormat).value(key)
+                             : QVariant();
+    };
+    const auto is_laid_out = [&] {
+      QMainWindow probe;
+      probe.restoreGeometry(kept("window/geometry").toByteArray());
+      return probe.size() == QSize(1111, 777);
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(is_laid_out(), patience);
+    other.kill();
+    QVERIFY(other.waitForFinished(patience));
+    for (const char* key : {"window/geometry", "window/state"})
+      QSettings().setValue(key, kept(key));
+    MainWindow next;
+    next.show();
+    QCOMPARE(next.size(), QSize(1111, 777));
+    QVERIFY(next.findChild<QDockWidget*>("outliner")->isHidden());
+    QVERIFY(next.findChild<QDockWidget*>("lighting")->isFloating());
+    QVERIFY(!next.findChild<QDockWidget*>("medium")->isFloating());
+    for (const char* key : {"window/geometry", "window/state"}) QSettings().remove(key);
+  }
+
+  void rows_are_dragged_to_other_places_and_priorities_come_first() {
+    const QTemporaryDir temporary;
+    const fs::path folder = to_path(temporary.path());
+    const auto titles = [](const RenderQueue& queue) {
+      QStringList all;
+      for (const RenderQueue::Item& item : queue.items()) all << item.request.title;
+      return all.join(' ');
+    };
+    {
+      ListedQueue listed(folder / "renders");
+      for (const char* title : {"a", "b", "c", "d"}) {
+        FrameExportRequest request = title[0] == 'a' ? endless_request() : tiny_request();
+        request.title = title;
+        listed.queue.add(request);
+      }
+      QTRY_COMPARE(files_in(folder / "renders", ".json").size(), 4u);
+      const auto drag = [&](int row, int onto, int below) {
+        listed.choose(row);
+        const QRect place = listed.tree()->visualItemRect(listed.tree()->topLevelItem(onto));
+        drop_row(*listed.tree(), QPoint(place.center().x(), place.center().y() + below));
+      };
+      const auto height = [&] {
+        return listed.tree()->visualItemRect(listed.tree()->topLevelItem(0)).height();
+      };
+      drag(3, 1, 1 - height() / 2);
+      QCOMPARE(titles(listed.queue), "a d b c");
+      drag(1, 3, height() / 2 - 1);
+      QCOMPARE(titles(listed.queue), "a b c d");
+      drag(2, 1, 1 - height() / 2);
+      QCOMPARE(titles(listed.queue), "a c b d");
+      // What is being rendered stays where it is.
+      drag(0, 3, height() / 2 - 1);
+      QCOMPARE(titles(listed.queue), "a c b d");
+      listed.choose(3);
+      brume::choose(listed.list, "queue_priority", 0);
+      QCOMPARE(listed.tree()->topLevelItem(3)->text(1), "high");
+      listed.choose(1);
+      QVERIFY(choose_from_menu(*listed.tree()->viewport(),
+                               cell_position(*listed.tree(), listed.tree()->topLevelItem(1), 0),
+                               "Priority/low"));
+    }
+    RenderQueue next(folder / "renders");
+    QCOMPARE(titles(next), "a c b d");
+    QCOMPARE(next.items()[1].request.priority, -1);
+    QCOMPARE(next.items()[3].request.priority, 1);
+    QStringList rendered;
+    connect(&next, &RenderQueue::changed, this, [&] {
+      for (const RenderQueue::Item& item : next.items()) {
+        const QString& title = item.request.title;
+        if (item.state == RenderState::rendering && !rendered.contains(title)) rendered << title;
+      }
+    });
+    for (const RenderQueue::Item& item : std::vector(next.items())) next.resume(item.id);
+    next.cancel(next.items()[0].id);
+    QTRY_COMPARE(rendered.join(' '), "a d b c");
+  }
+
+  void failed_frames_are_told_and_tried_again() {
+    const QTemporaryDir temporary;
+    const fs::path folder = to_path(temporary.path());
+    ListedQueue listed(folder / "renders");
+    FrameExportRequest request = tiny_request(folder / "f.png");
+    request.range = {1, 4, 30.0};
+    fs::create_directory(folder / "f_0003.png");  // where no file can be written
+    write_text(folder / "f_0003.png/x", "");
+    listed.queue.add(request);
+    QVERIFY(listed.wait_for(0, RenderState::failed));
+    const auto details = [&] { return listed.list.findChild<QLabel*>("queue_details")->text(); };
+    QVERIFY2(details().contains("3 of 4 frames") && details().contains("per frame") &&
+                 details().contains("failed: 3"),
+             qPrintable(details()));
+    auto* again = listed.list.findChild<QPushButton*>("queue_resume");
+    QCOMPARE(again->text(), "Retry");
+    const fs::path kept = folder / "f_0002.png";
+    write_text(kept, "whole");
+    fs::remove_all(folder / "f_0003.png");
+    click(listed.list, "queue_resume");
+    QVERIFY(listed.wait_for(0, RenderState::done));
+    QVERIFY(fs::is_regular_file(folder / "f_0003.png"));
+    QCOMPARE(read_bytes(kept), "whole");
+    QVERIFY2(!details().contains("failed"), qPrintable(details()));
+    QCOMPARE(again->text(), "Resume");
   }
 
   void waiting_renders_come_back_in_order_with_all_that_was_chosen() {
