@@ -51,9 +51,9 @@ class QueueRows : public QTreeWidget {
   [[nodiscard]] QStringList mimeTypes() const override { return {render_mime}; }
   [[nodiscard]] QMimeData* mimeData(const QList<QTreeWidgetItem*>& items) const override {
     if (items.isEmpty()) return nullptr;
-    auto* data = new QMimeData;
-    data->setData(render_mime, QByteArray::number(items.front()->data(0, id_role).toInt()));
-    return data;
+    auto* row = new QMimeData;
+    row->setData(render_mime, QByteArray::number(items.front()->data(0, id_role).toInt()));
+    return row;
   }
   // Later: it makes the rows anew, and the drop is not over yet.
   bool dropMimeData(QTreeWidgetItem* /*onto*/, int row, const QMimeData* data,

@@ -42,6 +42,11 @@ bool is_unfinished(const RenderQueue::Item& item) {
   return item.state == RenderQueue::State::waiting || item.state == RenderQueue::State::rendering;
 }
 
+// Files that are damaged stay as they are.
+bool has_record(const RenderQueue::Item& item) {
+  return is_unfinished(item) || (item.can_resume() && item.state != RenderQueue::State::cancelled);
+}
+
 }  // namespace
 
 bool RenderQueue::Item::can_resume() const {
@@ -212,7 +217,7 @@ void RenderQueue::move_before(int id, int other) {
   for (std::size_t k = 0; k < items_.size(); ++k) {
     Item& it = items_[k];
     if (std::exchange(it.place, places[k]) == places[k]) continue;
-    if (it.state != State::done && it.state != State::cancelled) update(it);
+    if (has_record(it)) update(it);
   }
   Q_EMIT changed();
 }
@@ -221,7 +226,7 @@ void RenderQueue::set_priority(int id, int priority) {
   Item* known = item(id);
   if (!known || known->request.priority == priority) return;
   known->request.priority = priority;
-  if (known->state != State::done && known->state != State::cancelled) update(*known);
+  if (has_record(*known)) update(*known);
   Q_EMIT changed();
 }
 

@@ -1,7 +1,10 @@
 #include "app/pictures/picture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <utility>
 
 #include "app/document/number_text.h"
 #include "app/widgets/frame_text.h"
@@ -14,6 +17,8 @@
 namespace brume {
 namespace {
 
+constexpr const char* distance_layer = "distance";
+
 QImage shown(const Frame& frame, const DisplayLook& look) {
   const std::vector<std::uint8_t> bytes = to_display(frame, look);
   QImage image(frame.film.width, frame.film.height, QImage::Format_RGB888);
@@ -22,6 +27,61 @@ QImage shown(const Frame& frame, const DisplayLook& look) {
     std::memcpy(image.scanLine(y), bytes.data() + static_cast<std::size_t>(y) * row, row);
   }
   return image;
+}
+
+// Those of light, and distances.
+void add_layers(const Frame& frame, Picture& picture) {
+  const auto add = [&picture](const QString& name, int channels, std::vector<float> values) {
+    const std::size_t count = static_cast<std::size_t>(picture.width * picture.height * channels);
+    if (values.size() == count) picture.layers.push_back({name, channels, std::move(values)});
+  };
+  add("airlight", 3, frame.airlight);
+  add("transmittance", 3, frame.transmittance);
+  add("background", 3, frame.background);
+  add(distance_layer, 1, frame.depth);
+  const auto& channels = frame.layers.channels;
+  for (const auto& [name, red] : channels) {
+    const QString layer = QString::fromStdString(name).section('.', 0, -2);
+    const auto channel = [&](const char* component) {
+      const auto found = channels.find(layer.toStdString() + component);
+      return found == channels.end() ? nullptr : &found->second;
+    };
+    const bool is_vector = name.ends_with(".X");
+    const auto* green = channel(is_vector ? ".Y" : ".G");
+    const auto* blue = channel(is_vector ? ".Z" : ".B");
+    if (!(is_vector || name.ends_with(".R")) || !green || !blue || layer.startsWith("Crypto")) {
+      continue;
+    }
+    std::vector<float> values;
+    values.reserve(3 * red.size());
+    for (std::size_t i = 0; i < red.size(); ++i) {
+      values.insert(values.end(), {red[i], (*green)[i], (*blue)[i]});
+    }
+    add(layer, 3, std::move(values));
+  }
+}
+
+// Distances run from the nearest, white, to the farthest.
+QImage layer_image(const PictureLayer& layer, const Picture& picture) {
+  Frame frame;
+  frame.film = {picture.width, picture.height};
+  frame.beauty.assign(picture.rgb.size() / 3 * 4, 1.0F);
+  float nearest = std::numeric_limits<float>::infinity();
+  float farthest = 0.0F;
+  for (const float value : layer.name == distance_layer ? layer.values : std::vector<float>()) {
+    if (!std::isfinite(value)) continue;  // nothing is hit
+    nearest = std::min(nearest, value);
+    farthest = std::max(farthest, value);
+  }
+  const float range = std::max(farthest - nearest, std::numeric_limits<float>::min());
+  for (std::size_t i = 0; i < picture.rgb.size(); ++i) {
+    float value = picture.rgb[i];
+    if (layer.name == distance_layer) {
+      value = value > 0.0F ? 0.05F + 0.95F * (farthest - value) / range : 0.0F;
+    }
+    frame.beauty[i / 3 * 4 + i % 3] = std::max(value, 0.0F);
+  }
+  return shown(frame, layer.name == distance_layer ? DisplayLook() : picture.look);
 }
 
 bool have_same_size(const Picture& a, const Picture& b) {
@@ -50,10 +110,29 @@ std::shared_ptr<const Picture> make_picture(const Frame& frame, const DisplayLoo
   }
   picture->look = look;
   picture->image = shown(frame, look);
+  add_layers(frame, *picture);
   return picture;
 }
 
-void save_picture(const Picture& picture, const std::filesystem::path& file) {
+std::shared_ptr<const Picture> layer_picture(const Picture& picture, const QString& name) {
+  const auto layer = std::ranges::find(picture.layers, name, &PictureLayer::name);
+  if (layer == picture.layers.end()) return nullptr;
+  auto result = std::make_shared<Picture>();
+  result->name = picture.name;
+  result->details = picture.details;
+  result->width = picture.width;
+  result->height = picture.height;
+  result->look = picture.look;
+  const int copies = layer->channels == 1 ? 3 : 1;  // greys
+  result->rgb.reserve(layer->values.size() * static_cast<std::size_t>(copies));
+  for (const float value : layer->values) {
+    result->rgb.insert(result->rgb.end(), copies, std::isfinite(value) ? value : 0.0F);
+  }
+  result->image = layer_image(*layer, *result);
+  return result;
+}
+
+void save_picture(const Picture& picture, const std::filesystem::path& file, const QString& note) {
   std::vector<std::uint8_t> bytes;
   const auto row = static_cast<std::size_t>(picture.width) * 3;
   bytes.reserve(row * static_cast<std::size_t>(picture.height));
@@ -63,6 +142,8 @@ void save_picture(const Picture& picture, const std::filesystem::path& file) {
   }
   write_png(file, picture.width, picture.height, bytes,
             {{"Software", std::string("Brume ") + version()},
+             {"Title", picture.name.toStdString()},
+             {"Comment", note.toStdString()},
              {"brume:exposure", quoted_text(picture.look.exposure)},
              {"brume:view_transform", view_name(picture.look)},
              {"brume:made", picture.details.toStdString()}});

@@ -14,6 +14,13 @@ namespace brume {
 
 struct Settings;
 
+// What a rendered picture has besides its beauty.
+struct PictureLayer {
+  QString name;               // "airlight", "airlight.light_1"
+  int channels = 3;           // or 1
+  std::vector<float> values;  // of each pixel
+};
+
 // A rendered picture that is kept for comparison.
 struct Picture {
   QString name;     // "Camera, frame 12"
@@ -23,6 +30,7 @@ struct Picture {
   std::vector<float> rgb;  // linear radiance, rows from the top
   DisplayLook look;        // that `image` shows it with
   QImage image;
+  std::vector<PictureLayer> layers;
 
   // Linear radiance of a pixel, which is within the picture.
   [[nodiscard]] std::array<float, 3> at(int x, int y) const;
@@ -31,8 +39,13 @@ struct Picture {
 std::shared_ptr<const Picture> make_picture(const Frame& frame, const DisplayLook& look,
                                             const QString& name, const QString& details);
 
+// A layer as a picture of its own, distances as greys, near ones light, 0 where nothing is hit.
+// Null: it has none by this name.
+std::shared_ptr<const Picture> layer_picture(const Picture& picture, const QString& name);
+
 // Writes what `image` shows as a PNG. Throws InputError.
-void save_picture(const Picture& picture, const std::filesystem::path& file);
+void save_picture(const Picture& picture, const std::filesystem::path& file,
+                  const QString& note = {});
 
 // "16 slices · 800 × 600 · 1.2 s", of a path-traced frame with its noise.
 QString picture_details(const Frame& frame, const Settings& settings, double milliseconds);

@@ -45,8 +45,8 @@ void PictureCanvas::show_difference(const QImage& difference) {
 void PictureCanvas::fit() {
   fits_ = true;
   if (!a_) return;
-  zoom_ = std::min(static_cast<double>(width()) / a_->width,
-                   static_cast<double>(height()) / a_->height);
+  zoom_ = std::min({static_cast<double>(width()) / a_->width,
+                    static_cast<double>(height()) / a_->height, max_zoom});
   center_ = {0.5 * a_->width, 0.5 * a_->height};
   update();
 }

@@ -1,37 +1,55 @@
 #include "app/pictures/picture_slots.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace brume {
 
+QString PictureSlots::name(std::size_t slot) const {
+  const Slot& found = slots_.at(slot);
+  return found.name.isEmpty() && found.picture ? found.picture->name : found.name;
+}
+
+void PictureSlots::set_name(std::size_t slot, const QString& name) {
+  if (!at(slot)) return;
+  slots_[slot].name = name.simplified();
+  Q_EMIT labelled(slot);
+}
+
+void PictureSlots::set_note(std::size_t slot, const QString& note) {
+  if (!at(slot)) return;
+  slots_[slot].note = note.simplified();
+  Q_EMIT labelled(slot);
+}
+
 std::size_t PictureSlots::keep(std::shared_ptr<const Picture> picture) {
-  auto slot = std::ranges::find(pictures_, nullptr) - pictures_.begin();
-  if (slot == count) slot = std::ranges::min_element(ages_) - ages_.begin();
-  set(static_cast<std::size_t>(slot), std::move(picture));
-  return static_cast<std::size_t>(slot);
+  auto slot = std::ranges::find(slots_, nullptr, &Slot::picture);
+  if (slot == slots_.end()) slot = std::ranges::min_element(slots_, {}, &Slot::age);
+  const auto place = static_cast<std::size_t>(slot - slots_.begin());
+  set(place, std::move(picture));
+  return place;
 }
 
 std::size_t PictureSlots::keep_of_job(int job, std::shared_ptr<const Picture> picture) {
   if (const auto slot = slot_of_job(job)) {
-    set(*slot, std::move(picture));
-    jobs_[*slot] = job;
+    slots_[*slot].picture = std::move(picture);
+    slots_[*slot].age = ++newest_;
+    Q_EMIT changed(*slot);
     return *slot;
   }
   const std::size_t slot = keep(std::move(picture));
-  jobs_[slot] = job;
+  slots_[slot].job = job;
   return slot;
 }
 
 std::optional<std::size_t> PictureSlots::slot_of_job(int job) const {
-  const auto found = std::ranges::find(jobs_, job);
-  if (found == jobs_.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - jobs_.begin());
+  const auto found = std::ranges::find(slots_, job, &Slot::job);
+  if (found == slots_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - slots_.begin());
 }
 
 void PictureSlots::set(std::size_t slot, std::shared_ptr<const Picture> picture) {
-  pictures_.at(slot) = std::move(picture);
-  ages_[slot] = ++newest_;
-  jobs_[slot] = 0;
+  slots_.at(slot) = {.picture = std::move(picture), .age = ++newest_};
   Q_EMIT changed(slot);
 }
 

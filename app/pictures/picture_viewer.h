@@ -8,11 +8,14 @@
 #include "app/pictures/picture_slots.h"
 
 class QBoxLayout;
-class QButtonGroup;
 class QComboBox;
 class QLabel;
+class QLineEdit;
 
 namespace brume {
+
+class PictureScope;
+class SlotStrip;
 
 // Pictures in slots, one of them shown or two compared.
 class PictureViewer : public QWidget {
@@ -26,27 +29,42 @@ class PictureViewer : public QWidget {
 
  Q_SIGNALS:
   void keep_view_asked_for();
-  void save_asked_for(std::shared_ptr<const brume::Picture> picture);
+  void save_asked_for(std::shared_ptr<const brume::Picture> picture, const QString& note);
+  void visibility_changed(bool visible);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
  private:
-  void add_slots(QBoxLayout& row, QButtonGroup& group, const QString& title, const char* name);
   void add_tools(QBoxLayout& row);
-  void show_slot(std::size_t slot);
+  [[nodiscard]] QBoxLayout* new_side();
+  void add_layer_names();  // of A
   void show_pictures();
+  void show_both(const std::shared_ptr<const Picture>& a, const std::shared_ptr<const Picture>& b);
+  void show_labels();
   void compare();  // A with B, in the background
-  void show_info(std::optional<double> difference);
+  void show_info();
   void show_pixel(std::optional<QPoint> pixel);
   [[nodiscard]] const std::shared_ptr<const Picture>& a() const;
   [[nodiscard]] const std::shared_ptr<const Picture>& b() const;
 
   PictureSlots slots_;
+  SlotStrip* strip_;
   PictureCanvas* canvas_;
-  QButtonGroup* a_;
-  QButtonGroup* b_;
+  PictureScope* scope_;
   QComboBox* mode_;
   QComboBox* gain_;
+  QComboBox* layer_;
+  QLineEdit* name_;
+  QLineEdit* note_;
   QLabel* info_;
   QLabel* pixel_;
+  // What is shown of A and B: they, or a layer.
+  std::shared_ptr<const Picture> shown_a_;
+  std::shared_ptr<const Picture> shown_b_;
+  std::optional<double> difference_;  // of A from B; nullopt: not known
+  BackgroundJob layering_{BackgroundJob::Policy::latest_wins};
   BackgroundJob comparing_{BackgroundJob::Policy::latest_wins};
 };
 

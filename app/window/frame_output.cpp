@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QLineEdit>
 #include <QMainWindow>
 #include <QMenu>
@@ -22,7 +21,6 @@
 #include "app/files/file_dialogs.h"
 #include "app/panels/forms/camera_panel.h"
 #include "app/panels/forms/output_panel.h"
-#include "app/pictures/picture_viewer.h"
 #include "app/viewport/camera_frame.h"
 #include "app/viewport/view_grid.h"
 #include "app/widgets/frame_text.h"
@@ -32,6 +30,7 @@
 #include "app/window/camera_lock.h"
 #include "app/window/file_jobs.h"
 #include "app/window/pages/message_bar.h"
+#include "app/window/picture_window.h"
 #include "core/io/disk/file_bytes.h"
 #include "render/output/frame_file.h"
 #include "render/request.h"
@@ -66,11 +65,9 @@ QString region_text(const std::optional<QRectF>& region) {
 FrameOutput::FrameOutput(const Workspace& work, FileJobs& jobs, QMainWindow& window)
     : QObject(&window),
       work_(work),
-      jobs_(jobs),
       window_(window),
-      queue_(new RenderQueue(kept_renders_folder(), &window)),
-      viewer_(new PictureViewer(&window)) {
-  create_actions();
+      queue_(new RenderQueue(kept_renders_folder(), &window)) {
+  create_actions(jobs);
   create_camera_actions();
   const FrameExport& exporter = queue_->exporter();
   connect(&exporter, &FrameExport::finished, this, [this](const QString& file) {
@@ -92,7 +89,7 @@ QAction* FrameOutput::make_action(const QString& text, const char* name, const Q
   return action;
 }
 
-void FrameOutput::create_actions() {
+void FrameOutput::create_actions(FileJobs& jobs) {
   const auto add = [this](const QString& text, const char* name, const QString& tip, auto react) {
     QAction* action = make_action(text, name, tip);
     connect(action, &QAction::triggered, this, react);
@@ -111,9 +108,13 @@ void FrameOutput::create_actions() {
           [this] { mark_region(); }),
       add(tr("&Whole Picture"), "render.whole", tr("Renders all of the picture again"),
           [this] { work_.views.perspective().camera_frame().set_region(std::nullopt); }),
-      add(tr("&Keep View"), "render.keep_view",
-          tr("Keeps what the view shows in a slot of the picture viewer"), [this] { keep_view(); }),
   };
+  viewer_action_ = make_action(tr("Picture &Viewer"), "render.viewer",
+                               tr("Shows rendered pictures in a window of their own"));
+  keep_action_ = make_action(tr("&Keep View"), "render.keep_view",
+                             tr("Keeps what the view shows in a slot of the picture viewer"));
+  pictures_ = new PictureWindow(work_, jobs, window_, viewer_action_, keep_action_);
+  pictures_->add_actions({actions_[0], actions_[1]});
 }
 
 void FrameOutput::create_camera_actions() {
@@ -216,20 +217,9 @@ void FrameOutput::add_docks(QDockWidget* beside) {
   window_.addDockWidget(Qt::RightDockWidgetArea, output_dock_);
   window_.tabifyDockWidget(beside, output_dock_);
 
-  viewer_dock_ = new QDockWidget(tr("Picture Viewer"), &window_);
-  viewer_dock_->setObjectName("picture_viewer");
-  viewer_dock_->setWidget(viewer_);
-  window_.addDockWidget(Qt::RightDockWidgetArea, viewer_dock_);
-  viewer_dock_->setFloating(true);
-  viewer_dock_->resize(860, 680);
-  viewer_dock_->hide();
-  viewer_dock_->toggleViewAction()->setShortcuts(keys_of("render.viewer"));
-  viewer_dock_->toggleViewAction()->setObjectName("render.viewer");
-  connect(viewer_, &PictureViewer::keep_view_asked_for, this, &FrameOutput::keep_view);
-  connect(viewer_, &PictureViewer::save_asked_for, this, &FrameOutput::save_picture);
   connect(queue_, &RenderQueue::rendered, this, [this](int id, const ExportedFrame& made) {
-    const std::size_t slot = viewer_->pictures().keep_of_job(id, made.picture);
-    if (id == shown_render_) viewer_->show_new(slot);
+    const std::size_t slot = pictures_->pictures().keep_of_job(id, made.picture);
+    if (id == shown_render_) pictures_->show_new(slot);
   });
 }
 
@@ -238,8 +228,7 @@ void FrameOutput::fill_menu(QMenu& menu) {
   menu.addSeparator();
   menu.addActions({actions_[2], actions_[3]});
   menu.addSeparator();
-  menu.addAction(viewer_dock_->toggleViewAction());
-  menu.addAction(actions_[4]);
+  menu.addActions({viewer_action_, keep_action_});
 }
 
 FrameExportRequest FrameOutput::output_request(bool animation) const {
@@ -288,7 +277,7 @@ void FrameOutput::render(bool animation) {
   const int id = queue_->add(request);
   if (id == 0) return;
   shown_render_ = id;
-  if (!animation) show_viewer();
+  if (!animation) pictures_->show();
   work_.show_status(tr("Rendering in the background; see the queue in the panel Output"));
 }
 
@@ -328,54 +317,11 @@ bool FrameOutput::may_write(const std::filesystem::path& file, bool animation) {
   return true;
 }
 
-void FrameOutput::show_viewer() {
-  constexpr QPoint inside(60, 90);
-  if (viewer_dock_->isFloating() && viewer_dock_->pos().isNull()) {
-    viewer_dock_->move(window_.frameGeometry().topLeft() + inside);
-  }
-  viewer_dock_->show();
-  viewer_dock_->raise();
-}
-
 void FrameOutput::show_render(int id) {
-  const auto slot = viewer_->pictures().slot_of_job(id);
+  const auto slot = pictures_->pictures().slot_of_job(id);
   if (!slot) return work_.show_status(tr("Its slot has another picture by now."));
-  viewer_->show_new(*slot);
-  show_viewer();
-}
-
-void FrameOutput::keep_view() {
-  const FrameScheduler& frames = work_.views.active().frames();
-  const RenderedFrame* shown = frames.shown();
-  if (!shown || !frames.is_settled()) {
-    return work_.show_status(tr("Wait until the picture is at rest, then keep it."));
-  }
-  QString details = picture_details(shown->frame, shown->request.settings, shown->milliseconds);
-  const std::optional<FrameError>& error = frames.quality().error();
-  if (frames.quality().is_measured() && error && frames.mode() != ViewMode::path_traced) {
-    details += tr(" · error %1").arg(errors_text(*error));
-  }
-  const QString name = tr("View, frame %1").arg(work_.timeline.frame());
-  const std::size_t slot =
-      viewer_->pictures().keep(make_picture(shown->frame, frames.display(), name, details));
-  viewer_->show_new(slot);
-  show_viewer();
-  work_.show_status(tr("Kept in slot %1").arg(slot + 1));
-}
-
-void FrameOutput::save_picture(const std::shared_ptr<const Picture>& picture) {
-  const QString start = last_folder(FileKind::picture, work_.document.folder()) + "/picture.png";
-  const QString name =
-      QFileDialog::getSaveFileName(&window_, tr("Save picture"), start, tr("PNG pictures (*.png)"));
-  if (name.isEmpty()) return;
-  std::filesystem::path file = to_path(name);
-  if (file.extension().empty()) file += ".png";
-  remember_folder(FileKind::picture, file);
-  jobs_.start(tr("Saving %1").arg(to_qstring(file.filename())),
-              [this, file, picture](const Job&) -> BackgroundJob::Apply {
-                brume::save_picture(*picture, file);
-                return [this, file] { work_.show_status(tr("Saved %1").arg(to_qstring(file))); };
-              });
+  pictures_->show_new(*slot);
+  pictures_->show();
 }
 
 void FrameOutput::mark_region() {

@@ -23,18 +23,17 @@ namespace brume {
 class FileJobs;
 class CameraPanel;
 class OutputPanel;
-struct Picture;
-class PictureViewer;
+class PictureWindow;
 class RenderQueue;
 
 // Pictures and animations on their way to files and to the picture viewer: the menu Render, and the
-// docks Output and Picture Viewer.
+// dock Output.
 class FrameOutput : public QObject {
   Q_OBJECT
  public:
   FrameOutput(const Workspace& work, FileJobs& jobs, QMainWindow& window);
 
-  // The dock Output as a tab beside another, and the picture viewer.
+  // The dock Output as a tab beside another.
   void add_docks(QDockWidget* beside);
   void fill_menu(QMenu& menu);
   // Check boxes of what the view shows of the camera.
@@ -42,6 +41,7 @@ class FrameOutput : public QObject {
   // Lines over the camera's picture.
   [[nodiscard]] const QList<QAction*>& guide_actions() const { return guide_actions_; }
   [[nodiscard]] RenderQueue& queue() { return *queue_; }
+  [[nodiscard]] PictureWindow& pictures() { return *pictures_; }
   // The dock Output: where the file is named, the cameras, the queue.
   void show_output();
   void show_camera(std::size_t place);  // 0 is in use, k + 1 the k-th other
@@ -49,7 +49,7 @@ class FrameOutput : public QObject {
 
  private:
   [[nodiscard]] QAction* make_action(const QString& text, const char* name, const QString& tip);
-  void create_actions();
+  void create_actions(FileJobs& jobs);
   void create_camera_actions();
   void create_guide_actions();
   [[nodiscard]] QTabWidget* make_tabs();
@@ -59,21 +59,18 @@ class FrameOutput : public QObject {
   [[nodiscard]] bool may_write(const std::filesystem::path& file, bool animation);
   void show_tab(int index);  // of the dock Output
   void show_render(int id);
-  void show_viewer();
-  void keep_view();
-  void save_picture(const std::shared_ptr<const Picture>& picture);
   void mark_region();
 
   Workspace work_;
-  FileJobs& jobs_;
   QMainWindow& window_;
   RenderQueue* queue_;
-  PictureViewer* viewer_;
   QDockWidget* output_dock_ = nullptr;
   QTabWidget* tabs_ = nullptr;
   OutputPanel* output_ = nullptr;
   CameraPanel* cameras_ = nullptr;
-  QDockWidget* viewer_dock_ = nullptr;
+  PictureWindow* pictures_ = nullptr;
+  QAction* viewer_action_ = nullptr;
+  QAction* keep_action_ = nullptr;
   QList<QAction*> actions_;  // in the order of the menu Render
   QList<QAction*> camera_actions_;
   QList<QAction*> guide_actions_;

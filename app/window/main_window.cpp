@@ -34,6 +34,7 @@
 #include "app/window/pages/message_bar.h"
 #include "app/window/pages/recovery_bar.h"
 #include "app/window/pages/start_page.h"
+#include "app/window/picture_window.h"
 #include "app/window/saved_views.h"
 #include "app/window/scene_picture.h"
 #include "app/window/status_line.h"
@@ -167,6 +168,7 @@ void MainWindow::store_layout() {
   };
   store("window/geometry", saveGeometry());
   store("window/state", saveState());
+  output_->pictures().store_place();
 }
 
 void MainWindow::follow_time() {
@@ -292,6 +294,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   store_layout();
+  output_->pictures().close();
   autosave_->end();
   event->accept();
 }

@@ -2,14 +2,10 @@
 
 #include <QDirIterator>
 #include <QDockWidget>
-#include <QDropEvent>
-#include <QLabel>
-#include <QMimeData>
 #include <QProcess>
 #include <QPushButton>
 #include <QSettings>
 #include <QTreeWidget>
-#include <fstream>
 
 #include "app/document/paths.h"
 #include "app/export/queue_list.h"
@@ -19,6 +15,7 @@
 #include "core/io/disk/file_bytes.h"
 #include "core/io/image/image_file.h"
 #include "render/request.h"
+#include "tests/app/listed_queue.h"
 #include "tests/app/question.h"
 #include "tests/app/test_window.h"
 
@@ -30,32 +27,6 @@ namespace fs = std::filesystem;
 using RenderState = RenderQueue::State;
 
 constexpr const char* killed_folder = "BRUME_TEST_KILLED_FOLDER";
-
-FrameExportRequest tiny_request(const fs::path& file = {}) {
-  FrameExportRequest request;
-  request.scene = std::make_shared<const Scene>(tiny_scene());
-  request.file = file;
-  request.request.scattering = Scattering::single;
-  return request;
-}
-
-// One that is never done, as what follows it waits.
-FrameExportRequest endless_request() {
-  FrameExportRequest request = tiny_request();
-  Scene big = small_scene();
-  big.film = {2000, 1500};
-  request.scene = std::make_shared<const Scene>(big);
-  trace_paths(request.request, 100'000, Denoising::none);
-  return request;
-}
-
-std::vector<fs::path> files_in(const fs::path& folder, const char* extension) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == extension) files.push_back(entry.path());
-  }
-  return files;
-}
 
 // The folder as it is once it has so many records, without the locks of those that live.
 fs::path folder_after_crash(const fs::path& folder, std::size_t records) {
@@ -70,39 +41,6 @@ fs::path folder_after_crash(const fs::path& folder, std::size_t records) {
     }
   }
   return copy;
-}
-
-// A queue with its list, and what the mouse does in that.
-struct ListedQueue {
-  explicit ListedQueue(const fs::path& folder) : queue(folder), list(queue) {
-    list.resize(600, 300);
-    list.show();
-  }
-  void choose(int row) { tree()->setCurrentItem(tree()->topLevelItem(row)); }
-  [[nodiscard]] QTreeWidget* tree() const { return list.findChild<QTreeWidget*>("render_queue"); }
-  bool wait_for(std::size_t row, RenderState state) {
-    return QTest::qWaitFor([&] { return queue.items().at(row).state == state; }, patience);
-  }
-
-  RenderQueue queue;
-  QueueList list;
-};
-
-// Drags the current row to a place in the list, with the events of Qt.
-void drop_row(QTreeWidget& tree, QPoint place) {
-  const std::unique_ptr<QMimeData> data(tree.model()->mimeData({tree.currentIndex()}));
-  if (!(tree.currentItem()->flags() & Qt::ItemIsDragEnabled)) return;
-  QDragEnterEvent enter(place, Qt::CopyAction, data.get(), Qt::LeftButton, {});
-  QApplication::sendEvent(tree.viewport(), &enter);
-  QDragMoveEvent move(place, Qt::CopyAction, data.get(), Qt::LeftButton, {});
-  QApplication::sendEvent(tree.viewport(), &move);
-  QDropEvent event(place, Qt::CopyAction, data.get(), Qt::LeftButton, {});
-  QApplication::sendEvent(tree.viewport(), &event);
-  QCoreApplication::processEvents();
-}
-
-void write_text(const fs::path& file, const std::string& text) {
-  std::ofstream(file) << text;
 }
 
 }  // namespace
@@ -171,7 +109,7 @@ class KeptRendersTest : public QObject {
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder);
     TestWindow window(tiny_scene());
     window->keep_layout();
-    window->resize(1111, 777);
+    window->resize(780, 700);
     window->findChild<QDockWidget*>("outliner")->hide();
     window->findChild<QDockWidget*>("lighting")->setFloating(true);
     QTest::qWait(patience);
@@ -193,7 +131,7 @@ class KeptRendersTest : public QObject {
     const auto is_laid_out = [&] {
       QMainWindow probe;
       probe.restoreGeometry(kept("window/geometry").toByteArray());
-      return probe.size() == QSize(1111, 777);
+      return probe.size() == QSize(780, 700);
     };
     QTRY_VERIFY_WITH_TIMEOUT(is_laid_out(), patience);
     other.kill();
@@ -202,95 +140,11 @@ class KeptRendersTest : public QObject {
       QSettings().setValue(key, kept(key));
     MainWindow next;
     next.show();
-    QCOMPARE(next.size(), QSize(1111, 777));
+    QCOMPARE(next.size(), QSize(780, 700));
     QVERIFY(next.findChild<QDockWidget*>("outliner")->isHidden());
     QVERIFY(next.findChild<QDockWidget*>("lighting")->isFloating());
     QVERIFY(!next.findChild<QDockWidget*>("medium")->isFloating());
     for (const char* key : {"window/geometry", "window/state"}) QSettings().remove(key);
-  }
-
-  void rows_are_dragged_to_other_places_and_priorities_come_first() {
-    const QTemporaryDir temporary;
-    const fs::path folder = to_path(temporary.path());
-    const auto titles = [](const RenderQueue& queue) {
-      QStringList all;
-      for (const RenderQueue::Item& item : queue.items()) all << item.request.title;
-      return all.join(' ');
-    };
-    {
-      ListedQueue listed(folder / "renders");
-      for (const char* title : {"a", "b", "c", "d"}) {
-        FrameExportRequest request = title[0] == 'a' ? endless_request() : tiny_request();
-        request.title = title;
-        listed.queue.add(request);
-      }
-      QTRY_COMPARE(files_in(folder / "renders", ".json").size(), 4u);
-      const auto drag = [&](int row, int onto, int below) {
-        listed.choose(row);
-        const QRect place = listed.tree()->visualItemRect(listed.tree()->topLevelItem(onto));
-        drop_row(*listed.tree(), QPoint(place.center().x(), place.center().y() + below));
-      };
-      const auto height = [&] {
-        return listed.tree()->visualItemRect(listed.tree()->topLevelItem(0)).height();
-      };
-      drag(3, 1, 1 - height() / 2);
-      QCOMPARE(titles(listed.queue), "a d b c");
-      drag(1, 3, height() / 2 - 1);
-      QCOMPARE(titles(listed.queue), "a b c d");
-      drag(2, 1, 1 - height() / 2);
-      QCOMPARE(titles(listed.queue), "a c b d");
-      // What is being rendered stays where it is.
-      drag(0, 3, height() / 2 - 1);
-      QCOMPARE(titles(listed.queue), "a c b d");
-      listed.choose(3);
-      brume::choose(listed.list, "queue_priority", 0);
-      QCOMPARE(listed.tree()->topLevelItem(3)->text(1), "high");
-      listed.choose(1);
-      QVERIFY(choose_from_menu(*listed.tree()->viewport(),
-                               cell_position(*listed.tree(), listed.tree()->topLevelItem(1), 0),
-                               "Priority/low"));
-    }
-    RenderQueue next(folder / "renders");
-    QCOMPARE(titles(next), "a c b d");
-    QCOMPARE(next.items()[1].request.priority, -1);
-    QCOMPARE(next.items()[3].request.priority, 1);
-    QStringList rendered;
-    connect(&next, &RenderQueue::changed, this, [&] {
-      for (const RenderQueue::Item& item : next.items()) {
-        const QString& title = item.request.title;
-        if (item.state == RenderState::rendering && !rendered.contains(title)) rendered << title;
-      }
-    });
-    for (const RenderQueue::Item& item : std::vector(next.items())) next.resume(item.id);
-    next.cancel(next.items()[0].id);
-    QTRY_COMPARE(rendered.join(' '), "a d b c");
-  }
-
-  void failed_frames_are_told_and_tried_again() {
-    const QTemporaryDir temporary;
-    const fs::path folder = to_path(temporary.path());
-    ListedQueue listed(folder / "renders");
-    FrameExportRequest request = tiny_request(folder / "f.png");
-    request.range = {1, 4, 30.0};
-    fs::create_directory(folder / "f_0003.png");  // where no file can be written
-    write_text(folder / "f_0003.png/x", "");
-    listed.queue.add(request);
-    QVERIFY(listed.wait_for(0, RenderState::failed));
-    const auto details = [&] { return listed.list.findChild<QLabel*>("queue_details")->text(); };
-    QVERIFY2(details().contains("3 of 4 frames") && details().contains("per frame") &&
-                 details().contains("failed: 3"),
-             qPrintable(details()));
-    auto* again = listed.list.findChild<QPushButton*>("queue_resume");
-    QCOMPARE(again->text(), "Retry");
-    const fs::path kept = folder / "f_0002.png";
-    write_text(kept, "whole");
-    fs::remove_all(folder / "f_0003.png");
-    click(listed.list, "queue_resume");
-    QVERIFY(listed.wait_for(0, RenderState::done));
-    QVERIFY(fs::is_regular_file(folder / "f_0003.png"));
-    QCOMPARE(read_bytes(kept), "whole");
-    QVERIFY2(!details().contains("failed"), qPrintable(details()));
-    QCOMPARE(again->text(), "Resume");
   }
 
   void waiting_renders_come_back_in_order_with_all_that_was_chosen() {
@@ -361,39 +215,6 @@ class KeptRendersTest : public QObject {
     RenderQueue next(folder / "renders");
     QCOMPARE(next.items().size(), 1u);
     QVERIFY(next.items()[0].request.file.empty());
-  }
-
-  void no_two_renders_that_are_to_be_done_write_the_same_file() {
-    const QTemporaryDir temporary;
-    const fs::path folder = to_path(temporary.path());
-    ListedQueue listed(folder / "renders");
-    RenderQueue& queue = listed.queue;
-    QSignalSpy refused(&queue, &RenderQueue::refused);
-    queue.add(endless_request());
-    FrameExportRequest frames = tiny_request(folder / "f.png");
-    frames.title = "Camera";
-    frames.range = {1, 9, 30.0};
-    QVERIFY(queue.add(frames) != 0);
-    FrameExportRequest later = frames;
-    later.range = {9, 12, 30.0};
-    QCOMPARE(queue.add(later), 0);
-    QCOMPARE(refused.size(), 1);
-    QVERIFY2(refused[0][0].toString().contains("“Camera” in the queue has yet to write f.png"),
-             qPrintable(refused[0][0].toString()));
-    QCOMPARE(queue.add(tiny_request(folder / "f_0009.png")), 0);
-    later.range = {10, 12, 30.0};
-    QVERIFY(queue.add(later) != 0);
-    QVERIFY(queue.add(tiny_request(folder / "f.png")) != 0);
-    QVERIFY(queue.add(tiny_request()) != 0 && queue.add(tiny_request()) != 0);  // no files
-    // Nor does one that is asked for again.
-    listed.choose(1);
-    click(listed.list, "queue_cancel");
-    later.range = {9, 9, 30.0};
-    QVERIFY(queue.add(later) != 0);
-    click(listed.list, "queue_resume");
-    QCOMPARE(queue.items()[1].state, RenderState::cancelled);
-    QCOMPARE(refused.size(), 3);
-    QCOMPARE(queue.items().size(), 7u);
   }
 
   void damaged_files_are_told_and_can_be_removed() {

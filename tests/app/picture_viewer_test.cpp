@@ -1,11 +1,16 @@
 // Pictures kept in slots, and their comparison.
 
+#include <QAction>
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QToolButton>
 #include <QWheelEvent>
+#include <QWindow>
+#include <limits>
 
 #include "app/document/paths.h"
+#include "app/pictures/picture_scope.h"
 #include "app/pictures/picture_viewer.h"
 #include "app/viewport/viewport.h"
 #include "brume/error.h"
@@ -32,11 +37,11 @@ bool are_alike(const QColor& a, const QColor& b) {
          std::abs(a.blue() - b.blue()) <= 1;
 }
 
-// A viewer 400 pixels wide, its canvas large enough for a wipe.
+// A viewer whose canvas is large enough for a wipe.
 class TestViewer {
  public:
   TestViewer() {
-    viewer.resize(440, 480);
+    viewer.resize(800, 600);
     viewer.show();
     static_cast<void>(QTest::qWaitForWindowExposed(&viewer, patience));
   }
@@ -136,7 +141,7 @@ class PictureViewerTest : public QObject {
       return rect.topLeft() + QPointF(x * rect.width() / 40.0, y * rect.height() / 30.0);
     };
     test.move(at(7.5, 3.5), Qt::NoButton);
-    QVERIFY2(test.text("picture_pixel").contains("Pixel 7, 3   A 2.5 0.25 0"),
+    QVERIFY2(test.text("picture_pixel").contains("Pixel 7, 3\nA 2.5 0.25 0"),
              qPrintable(test.text("picture_pixel")));
     const QPointF fixed = at(7.5, 3.5);
     QWheelEvent wheel(fixed, canvas.mapToGlobal(fixed), {}, {0, 480}, Qt::NoButton, Qt::NoModifier,
@@ -154,11 +159,158 @@ class PictureViewerTest : public QObject {
     QVERIFY(!canvas.pixel_at(fixed));
   }
 
+  void thumbnails_names_and_notes_tell_pictures_apart() {
+    TestViewer test;
+    PictureSlots& pictures = test.viewer.pictures();
+    pictures.keep_of_job(3, plain("red", 1.0F));
+    pictures.keep(plain("green", 0.0F));
+    const auto thumbnail = [&](const char* name) {
+      const QIcon icon = test.viewer.findChild<QToolButton*>(name)->icon();
+      return icon.pixmap(96, 60).toImage().pixelColor(48, 30);
+    };
+    QVERIFY(thumbnail("slot_1").red() > 200 && thumbnail("slot_2").green() > 100);
+    QVERIFY(thumbnail("slot_2").red() < 10);
+    test.click("slot_2");
+    QVERIFY(test.viewer.findChild<QAbstractButton*>("slot_a_2")->isChecked());
+    test.click("slot_1");
+    const auto type = [&](const char* field, const QString& text) {
+      auto* line = test.viewer.findChild<QLineEdit*>(field);
+      QTest::mouseClick(line, Qt::LeftButton);
+      line->selectAll();
+      QTest::keyClicks(line, text);
+      QTest::keyClick(line, Qt::Key_Return);
+    };
+    type("picture_name", "with more fog");
+    type("picture_note", "the client likes this one");
+    QVERIFY(test.text("picture_info").startsWith("A: with more fog"));
+    QVERIFY(test.viewer.findChild<QWidget*>("slot_1")->toolTip().contains("likes"));
+    // The next frame of a render keeps both, another picture has its own.
+    pictures.keep_of_job(3, plain("blue", 0.5F));
+    QCOMPARE(pictures.name(0), "with more fog");
+    test.click("slot_2");
+    QCOMPARE(test.viewer.findChild<QLineEdit*>("picture_name")->text(), "green");
+    QVERIFY(test.viewer.findChild<QLineEdit*>("picture_note")->text().isEmpty());
+    pictures.set(0, plain("other", 1.0F));
+    QCOMPARE(pictures.name(0), "other");
+    QVERIFY(pictures.note(0).isEmpty());
+  }
+
+  void layers_of_pictures_are_shown_compared_and_told() {
+    constexpr int width = 40;
+    constexpr int height = 30;
+    Frame frame;  // its right half is black, and far away
+    frame.film = {width, height};
+    std::vector<float> ones, nothing;
+    for (int k = 0; k < width * height; ++k) {
+      const float left = k % width < width / 2 ? 1.0F : 0.0F;
+      frame.beauty.insert(frame.beauty.end(), {left, left, left, 1.0F});
+      frame.airlight.insert(frame.airlight.end(), {0.0F, left, 0.0F});
+      frame.depth.push_back(left > 0.0F ? 3.0F : std::numeric_limits<float>::infinity());
+      ones.push_back(left);
+      nothing.push_back(0.0F);
+    }
+    frame.layers.channels = {{"airlight.key.R", ones},
+                             {"airlight.key.G", nothing},
+                             {"airlight.key.B", nothing},
+                             {"CryptoObject00.R", nothing}};
+    TestViewer test;
+    test.viewer.pictures().keep(make_picture(frame, {}, "frame", "by hand"));
+    auto* layers = test.viewer.findChild<QComboBox*>("picture_layer");
+    QStringList names;
+    for (int k = 0; k < layers->count(); ++k) names << layers->itemText(k);
+    QCOMPARE(names, (QStringList{"Picture", "airlight", "distance", "airlight.key"}));
+    const auto show = [&](int index) {
+      layers->setCurrentIndex(index);
+      Q_EMIT layers->activated(index);
+    };
+    show(1);
+    QTRY_VERIFY(test.color({0.25, 0.5}).green() > 100 && test.color({0.25, 0.5}).red() < 100);
+    show(3);
+    QTRY_VERIFY(test.color({0.25, 0.5}).red() > 100 && test.color({0.25, 0.5}).green() < 10);
+    show(2);
+    QTRY_VERIFY(test.color({0.25, 0.5}).blue() > 100 && test.color({0.75, 0.5}).blue() < 5);
+    const QRectF rect = test.canvas().picture_rect();
+    test.move(rect.topLeft() + QPointF(0.25 * rect.width(), 0.5 * rect.height()), Qt::NoButton);
+    QVERIFY2(test.text("picture_pixel").contains("A 3 3 3"),
+             qPrintable(test.text("picture_pixel")));
+    // Another picture without the layer is shown as it is.
+    test.viewer.pictures().keep(plain("plain", 1.0F));
+    test.click("slot_a_2");
+    QCOMPARE(layers->currentText(), "Picture");
+    QVERIFY(test.color({0.5, 0.5}).red() > 200);
+  }
+
+  void scopes_show_how_values_are_spread() {
+    TestViewer test;
+    test.viewer.pictures().keep(plain("red", 0.2F));
+    auto& scope = *test.viewer.findChild<PictureScope*>();
+    QVERIFY(!scope.isVisible());
+    auto* kind = test.viewer.findChild<QComboBox*>("picture_scope_kind");
+    kind->setCurrentIndex(2);
+    QVERIFY(scope.isVisible());
+    // The row where a column of the scope is brightest in a channel, as a value of the display.
+    const QImage shown = test.viewer.pictures().at(0)->image;
+    const auto brightest = [&](int channel) {
+      const QImage image = scope.grab().toImage();
+      int best = 0;
+      int value = -1;
+      for (int y = 0; y < image.height(); ++y) {
+        const QColor color = image.pixelColor(image.width() / 3, y);
+        const int found = channel == 0 ? color.red() : color.blue();
+        if (found > best) {
+          best = found;
+          value = 255 - 255 * y / image.height();
+        }
+      }
+      return value;
+    };
+    QVERIFY(std::abs(brightest(0) - shown.pixelColor(13, 15).red()) < 8);
+    QVERIFY(brightest(2) < 8);
+    kind->setCurrentIndex(1);
+    const QImage histogram = scope.grab().toImage();
+    const int x = shown.pixelColor(13, 15).red() * histogram.width() / 256;
+    int reds = 0;
+    for (int dx = -2; dx <= 2; ++dx) {
+      reds = std::max(reds, histogram.pixelColor(x + dx, histogram.height() / 2).red());
+    }
+    QVERIFY(reds > 100);
+    QVERIFY(histogram.pixelColor(histogram.width() - 4, histogram.height() / 2).red() < 100);
+    kind->setCurrentIndex(0);
+    QVERIFY(!scope.isVisible());
+  }
+
+  void the_viewer_is_a_window_that_remembers_its_place() {
+    QRect place;
+    {
+      TestWindow window(tiny_scene());
+      auto& viewer = *window->findChild<PictureViewer*>();
+      auto* action = window->findChild<QAction*>("render.viewer");
+      QVERIFY(viewer.isWindow() && !viewer.isModal() && !viewer.isVisible());
+      invoke(window, "render.viewer");
+      QVERIFY(viewer.isVisible() && action->isChecked());
+      QVERIFY(!viewer.windowHandle()->transientParent());
+      viewer.setGeometry(123, 45, 678, 567);
+      place = viewer.geometry();
+      viewer.close();
+      QVERIFY(!action->isChecked());
+    }
+    TestWindow window(tiny_scene());
+    auto& viewer = *window->findChild<PictureViewer*>();
+    invoke(window, "render.viewer");
+    QCOMPARE(viewer.geometry(), place);
+    // Keys of renders are its own, too; it goes with the window.
+    QTest::keyClick(&viewer, Qt::Key_F9);
+    QTRY_VERIFY(viewer.pictures().at(0));
+    QVERIFY(window->close());
+    QVERIFY(!viewer.isVisible());
+  }
+
   void pictures_are_saved_as_they_look() {
     const QTemporaryDir folder;
     const auto picture = plain("a", 0.5F);
     const std::filesystem::path file = to_path(folder.filePath("a.png"));
-    save_picture(*picture, file);
+    save_picture(*picture, file, "a note");
+    QCOMPARE(QImage(to_qstring(file)).text("Comment"), "a note");
     const QImage saved = QImage(to_qstring(file)).convertToFormat(picture->image.format());
     QCOMPARE(saved.size(), picture->image.size());
     QCOMPARE(saved.pixelColor(3, 4), picture->image.pixelColor(3, 4));
