@@ -89,6 +89,24 @@ QString set_attribute(Document& document, std::span<const GaussianId> ids, Gauss
   return {};
 }
 
+void change_optics(Document& document, std::span<const GaussianId> ids,
+                   const std::function<void(GaussianOptics&)>& change, MergeId merge_id) {
+  const Medium& medium = document.medium();
+  const glm::dvec3& of_medium = document.scene().optics.albedo;
+  std::vector<Gaussian> after;
+  after.reserve(ids.size());
+  for (const GaussianId id : ids) {
+    Gaussian& gaussian = after.emplace_back(medium.gaussian(*medium.index_of(id)));
+    const glm::dvec3 old_albedo = gaussian.optics.albedo.value_or(of_medium);
+    change(gaussian.optics);
+    const glm::dvec3 albedo = gaussian.optics.albedo.value_or(of_medium);
+    if (albedo == old_albedo) continue;
+    gaussian.density *= extinction_over_density(old_albedo) / extinction_over_density(albedo);
+  }
+  change_gaussians(document, ids, after,
+                   undo_text("Set colours of %1").arg(gaussians_text(ids.size())), merge_id);
+}
+
 void adjust_attribute(Document& document, std::span<const GaussianId> ids, GaussianAttribute field,
                       const Adjustment& adjustment) {
   const NumberDomain& domain = attribute_domain(field);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "app/commands/medium_command.h"
@@ -31,6 +32,11 @@ QString set_attribute(Document& document, std::span<const GaussianId> ids, Gauss
 
 // "Set radius of 3 Gaussians to 0.4".
 QString set_attribute_text(GaussianAttribute field, std::size_t count, double value);
+
+// Changes albedo or emission of Gaussians. The density follows the albedo, so that the mean
+// extinction stays.
+void change_optics(Document& document, std::span<const GaussianId> ids,
+                   const std::function<void(GaussianOptics&)>& change, MergeId merge_id = no_merge);
 
 // Changes one attribute of each Gaussian by what it is; values are clamped to their domains.
 void adjust_attribute(Document& document, std::span<const GaussianId> ids, GaussianAttribute field,

@@ -4,9 +4,13 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QRegularExpression>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/common.hpp>
 
+#include "app/document/gaussian_attribute.h"
 #include "app/widgets/interface_settings.h"
 #include "app/widgets/value_field.h"
 #include "core/math/srgb.h"
@@ -38,6 +42,31 @@ QColor to_color(const glm::dvec3& linear) {
 
 glm::dvec3 to_linear(const QColor& color) {
   return {srgb_decoded(color.redF()), srgb_decoded(color.greenF()), srgb_decoded(color.blueF())};
+}
+
+std::optional<TypedColor> parse_color(const QString& text) {
+  const QString plain = text.trimmed();
+  if (plain.startsWith('#')) {
+    const QColor color(plain);
+    if (!color.isValid() || color.alpha() < 255) return std::nullopt;
+    return TypedColor{to_linear(color), true};
+  }
+  if (plain.endsWith('K', Qt::CaseInsensitive)) {
+    const double temperature = parse_number(plain.chopped(1));
+    if (!domain::temperature.contains(temperature)) return std::nullopt;
+    return TypedColor{glm::max(black_body_color(temperature), 0.0), true};
+  }
+  static const QRegularExpression spaces("[\\s;]+");
+  QStringList numbers = plain.split(spaces, Qt::SkipEmptyParts);
+  if (numbers.size() == 1) numbers = plain.split(',');
+  if (numbers.size() != 3) return std::nullopt;
+  glm::dvec3 linear(0.0);
+  for (int k = 0; k < 3; ++k) {
+    if (numbers[k].endsWith(',')) numbers[k].chop(1);
+    linear[k] = parse_number(numbers[k]);
+    if (std::isnan(linear[k])) return std::nullopt;
+  }
+  return TypedColor{linear, false};
 }
 
 QPixmap color_swatch(const glm::dvec3& linear, const QSize& size) {

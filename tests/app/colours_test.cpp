@@ -104,6 +104,52 @@ class ColoursTest : public QObject {
     QCOMPARE(desk.document().medium().optics(0).emission, glm::dvec3(1.0, 6.0, 2.0));
   }
 
+  void colours_are_typed_into_the_table() {
+    Desk desk;
+    Document& document = desk.document();
+    const Scene before = document.scene();
+    auto* table = desk.findChild<QTableView*>();
+    const auto type_into = [&](int row, int column, const QString& text) {
+      const QModelIndex cell = table->model()->index(row, column);
+      table->setCurrentIndex(cell);
+      table->edit(cell);
+      auto* editor = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+      if (!editor) qFatal("no editor");
+      editor->selectAll();
+      QTest::keyClicks(editor, text);
+      QTest::keyClick(editor, Qt::Key_Return);
+    };
+    const auto optics = [&](std::size_t i) { return document.medium().optics(i); };
+    type_into(0, 5, "0.9 0.2 0.1");
+    QCOMPARE(step_count(document), 1);
+    QCOMPARE(*optics(0).albedo, glm::dvec3(0.9, 0.2, 0.1));
+    QVERIFY(std::abs(mean_extinction(document.scene(), 0) / mean_extinction(before, 0) - 1.0) <
+            1e-9);
+    type_into(0, 5, "0,5, 0,25, 1");  // with decimal commas
+    QCOMPARE(*optics(0).albedo, glm::dvec3(0.5, 0.25, 1.0));
+    type_into(0, 5, "#ff8000");
+    QCOMPARE(*optics(0).albedo, glm::clamp(to_linear(QColor(255, 128, 0)), 1e-6, 1.0));
+    type_into(0, 6, "2 3 0.5");
+    QCOMPARE(optics(0).emission, glm::dvec3(2.0, 3.0, 0.5));
+    type_into(0, 6, "#00f");  // as bright
+    QCOMPARE(optics(0).emission, glm::dvec3(0.0, 0.0, 3.0));
+    type_into(0, 6, "1850 K");
+    QVERIFY(glm::length(optics(0).emission - 3.0 * black_body_color(1850.0)) < 1e-9);
+    const int steps = step_count(document);
+    for (const char* refused : {"0.5 0.5 2", "#12", "0.5 0.5", "-4 K", "0.5 0.5 x"}) {
+      type_into(0, 5, refused);
+      QCOMPARE(step_count(document), steps);
+    }
+    // One step for all that is selected.
+    document.select({before.medium.ids()[0], before.medium.ids()[2]});
+    type_into(2, 5, "#fff");
+    QCOMPARE(*optics(0).albedo, glm::dvec3(1.0));
+    QCOMPARE(*optics(2).albedo, glm::dvec3(1.0));
+    QVERIFY(!optics(1).albedo);
+    document.undo_stack().undo();
+    QVERIFY(!optics(2).albedo);
+  }
+
   void brushes_paint_with_them() {
     Desk desk;
     Document& document = desk.document();

@@ -122,7 +122,10 @@ GaussianForm::GaussianForm(Document& document, QWidget* parent)
 
   optics_ = new OpticsEditor(*layout_, tr("Emission"), "gaussian", this);
   connect(optics_, &OpticsEditor::refused, this, &GaussianForm::refused);
-  connect(optics_, &OpticsEditor::edited, this, &GaussianForm::change_optics);
+  connect(optics_, &OpticsEditor::edited, this,
+          [this](const OpticsEditor::Change& change, MergeId gesture) {
+            change_optics(document_, document_.selection(), change, gesture);
+          });
 
   // Gaussians without an albedo of their own show the medium's.
   on_change(document_, Change::part, this, [this] {
@@ -252,23 +255,6 @@ void GaussianForm::refresh() {
   layout_->setRowVisible(rotation_, common.any_ellipsoid);
   shown_albedo_ = document_.scene().optics.albedo;
   optics_->show_optics(any ? std::optional(common.first->optics) : std::nullopt, shown_albedo_);
-}
-
-// The density follows the albedo, so that the mean extinction stays.
-void GaussianForm::change_optics(const OpticsEditor::Change& change, MergeId gesture) {
-  const std::vector<GaussianId> ids = document_.selection();
-  std::vector<Gaussian> after;
-  for (const GaussianId id : ids) {
-    Gaussian& gaussian =
-        after.emplace_back(document_.medium().gaussian(*document_.medium().index_of(id)));
-    const glm::dvec3 old_albedo = gaussian.optics.albedo.value_or(shown_albedo_);
-    change(gaussian.optics);
-    const glm::dvec3 albedo = gaussian.optics.albedo.value_or(shown_albedo_);
-    if (albedo == old_albedo) continue;
-    gaussian.density *= extinction_over_density(old_albedo) / extinction_over_density(albedo);
-  }
-  change_gaussians(document_, ids, after, tr("Set colours of %1").arg(gaussians_text(ids.size())),
-                   gesture);
 }
 
 }  // namespace brume

@@ -45,7 +45,6 @@ class GaussianForm : public QWidget {
   // Sets that angle of ellipsoids to what it becomes.
   void rotate(std::span<const GaussianId> ids, GaussianAttribute field,
               const std::function<double(double)>& becomes, const QString& text, MergeId gesture);
-  void change_optics(const OpticsEditor::Change& change, MergeId gesture);
 
   Document& document_;
   std::array<ValueField*, attributes.size()> fields_{};

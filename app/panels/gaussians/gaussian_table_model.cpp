@@ -51,6 +51,10 @@ bool is_shown_alike(const Gaussian& a, const Gaussian& b, GaussianAttribute fiel
   }
 }
 
+bool is_color(GaussianAttribute field) {
+  return field == GaussianAttribute::albedo || field == GaussianAttribute::emission;
+}
+
 constexpr QSize swatch_size(8, 12);  // columns are narrow
 
 // The colour of its albedo or emission; nothing where the Gaussian has none of its own.
@@ -65,9 +69,7 @@ QVariant swatch(const GaussianOptics& optics, GaussianAttribute field) {
 
 // Beside a swatch there is little room; the tool tip has more digits.
 QString cell_text(double value, GaussianAttribute field) {
-  const bool has_swatch =
-      field == GaussianAttribute::albedo || field == GaussianAttribute::emission;
-  return number_text(value, has_swatch ? 3 : 6);
+  return number_text(value, is_color(field) ? 3 : 6);
 }
 
 // The group is chosen elsewhere, and what is too long could be so in several ways. Rotations are of
@@ -226,14 +228,41 @@ bool GaussianTableModel::setData(const QModelIndex& index, const QVariant& value
   const std::vector<GaussianId> selection = document_.selection();
   const std::span<const GaussianId> targets =
       document_.is_selected(one[0]) ? std::span<const GaussianId>(selection) : one;
-  const QString problem = set_attribute(
-      document_, targets, gaussian_attributes[static_cast<std::size_t>(index.column())],
-      parse_number(value.toString()));
+  const GaussianAttribute field = gaussian_attributes[static_cast<std::size_t>(index.column())];
+  const auto color = is_color(field) ? parse_color(value.toString()) : std::nullopt;
+  const QString problem =
+      color ? set_color(targets, field, *color)
+            : set_attribute(document_, targets, field, parse_number(value.toString()));
   if (!problem.isEmpty()) Q_EMIT refused(problem);
   return problem.isEmpty();
 }
 
+QString GaussianTableModel::set_color(std::span<const GaussianId> ids, GaussianAttribute field,
+                                      const TypedColor& color) {
+  for (int k = 0; k < 3 && !color.is_shade; ++k) {
+    if (QString problem = attribute_problem(field, color.linear[k]); !problem.isEmpty()) {
+      return problem;
+    }
+  }
+  change_optics(document_, ids, [&color, field](GaussianOptics& optics) {
+    if (field == GaussianAttribute::albedo) {
+      optics.albedo = color.linear;
+    } else if (color.is_shade) {
+      const double strength = emission_strength(optics.emission);
+      optics.emission = (strength > 0.0 ? strength : 1.0) * emission_color(color.linear);
+    } else {
+      optics.emission = color.linear;
+    }
+  });
+  return {};
+}
+
 QVariant GaussianTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  const auto column = static_cast<std::size_t>(section);
+  if (orientation == Qt::Horizontal && role == Qt::ToolTipRole &&
+      column < gaussian_attributes.size() && is_color(gaussian_attributes[column])) {
+    return tr("A number, or a colour: 0.9 0.2 0.1, #e6331a or 2700 K");
+  }
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
     return QAbstractTableModel::headerData(section, orientation, role);
   }

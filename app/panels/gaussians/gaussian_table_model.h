@@ -2,12 +2,14 @@
 
 #include <QAbstractTableModel>
 #include <optional>
+#include <span>
 
 #include "app/panels/gaussians/gaussian_rows.h"
 
 namespace brume {
 
 class Document;
+struct TypedColor;
 
 // The table of the medium's Gaussians: their attributes, their group and their id. Albedo and
 // emission have swatches; the medium's albedo is grey text.
@@ -46,6 +48,9 @@ class GaussianTableModel : public QAbstractTableModel {
   void refused(const QString& problem);
 
  private:
+  // Returns why not; empty: done.
+  QString set_color(std::span<const GaussianId> ids, GaussianAttribute field,
+                    const TypedColor& color);
   [[nodiscard]] QVariant group_data(GroupId id, int role) const;
   [[nodiscard]] bool follow_changes(const MediumEdit& edit);
   void follow_column(int column);
