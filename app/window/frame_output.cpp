@@ -191,6 +191,8 @@ QTabWidget* FrameOutput::make_tabs() {
           [&frame, this] { output_->show_region(region_text(frame.region())); });
   on_change(work_.document, Change::scene, &frame, [&frame] { frame.set_region(std::nullopt); });
 
+  connect(&work_.timeline, &Timeline::frame_changed, cameras_,
+          [this] { cameras_->show_frame(work_.timeline.frame()); });
   connect(cameras_, &CameraPanel::plate_changed, &frame, &CameraFrame::set_plate);
 
   auto* queue = new QueueList(*queue_, &window_);

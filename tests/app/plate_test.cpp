@@ -1,5 +1,6 @@
 // The plate over the camera's frame, and film backs.
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QImage>
 #include <QPushButton>
@@ -7,6 +8,7 @@
 
 #include "app/commands/edit_cameras.h"
 #include "app/document/paths.h"
+#include "app/document/timeline.h"
 #include "app/panels/forms/camera_panel.h"
 #include "app/panels/forms/plate_panel.h"
 #include "app/viewport/camera_frame.h"
@@ -110,6 +112,31 @@ class PlateTest : public QObject {
     click(window, "plate_remove");
     QVERIFY(is_drawn(window, 0.0));
     QVERIFY(!window->findChild<ValueField*>("plate_opacity")->isEnabled());
+  }
+
+  void plates_of_a_sequence_are_those_of_frames() {
+    TestWindow window(tiny_scene());
+    window.key(Qt::Key_0);
+    plain_picture(window, "p_0003.png", Qt::blue);
+    plain_picture(window, "p_0010.png", Qt::green);
+    plates(window).set_picture(plain_picture(window, "p_0001.png", Qt::red));
+    QTRY_VERIFY(is_drawn(window, 0.5));
+    window->timeline().set_frame(3);
+    QVERIFY(drawn(window).red() > 250);
+    click(window, "plate_sequence");
+    QTRY_VERIFY(drawn(window).blue() > 250);
+    window->timeline().set_frame(9);
+    QTest::qWait(50);
+    QVERIFY(drawn(window).blue() > 250);  // the last one up to that frame
+    window->timeline().set_frame(10);
+    QTRY_VERIFY(drawn(window).green() > 250);
+    window->timeline().set_frame(0);
+    QTRY_VERIFY(drawn(window).red() > 250);
+    QCOMPARE(plate_name(window), "p_0001.png");
+    // It is kept in the settings.
+    window->document().create();
+    QVERIFY(window.open("scene.brume"));
+    QVERIFY(window->findChild<QCheckBox*>("plate_sequence")->isChecked());
   }
 
   void a_plate_comes_back_with_its_scene() {

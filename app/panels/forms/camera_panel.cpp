@@ -296,6 +296,10 @@ void CameraPanel::show_camera(const QString& name) {
   plate_->refresh();
 }
 
+void CameraPanel::show_frame(int frame) {
+  plate_->show_frame(frame);
+}
+
 void CameraPanel::follow_names() {
   const QStringList before = std::exchange(names_, camera_names(document_.scene()));
   chosen_ = camera_name_after(before, names_, chosen_);

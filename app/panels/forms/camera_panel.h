@@ -24,6 +24,7 @@ class CameraPanel : public SceneForm {
   void add_toggle(QAction* action);
   // Shows its values. Empty: that in use, whichever it is.
   void show_camera(const QString& name);
+  void show_frame(int frame);  // of plates
 
  Q_SIGNALS:
   void look_through_asked_for();

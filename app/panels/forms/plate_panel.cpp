@@ -1,5 +1,6 @@
 #include "app/panels/forms/plate_panel.h"
 
+#include <QCheckBox>
 #include <QFormLayout>
 #include <QImageReader>
 #include <QPushButton>
@@ -7,6 +8,7 @@
 #include <QToolButton>
 #include <QVariantMap>
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "app/commands/edit_cameras.h"
@@ -16,6 +18,7 @@
 #include "app/widgets/plain_text.h"
 #include "app/widgets/rows.h"
 #include "brume/error.h"
+#include "core/io/frame_pattern.h"
 
 namespace brume {
 namespace {
@@ -34,6 +37,16 @@ QImage read_plate(const std::filesystem::path& file) {
   QImage picture = reader.read();
   if (picture.isNull()) throw InputError(file, {}, reader.errorString().toStdString());
   return picture;
+}
+
+// The last file of a numbered sequence up to a frame, or its first one.
+std::filesystem::path file_of_frame(const std::filesystem::path& file, int frame) {
+  const auto files = FramePattern::around(file.string());
+  if (!files) return file;
+  const std::vector<int> numbers = files->frames();
+  if (numbers.empty()) return file;
+  const auto later = std::ranges::upper_bound(numbers, frame);
+  return files->file_of(later == numbers.begin() ? *later : *std::prev(later));
 }
 
 QString picture_filter() {
@@ -65,17 +78,31 @@ PlatePanel::PlatePanel(Document& document, std::function<QString()> camera, QWid
       {"plate_opacity", domain::unit, ValueField::Scale::linear, 0.005,
        [this] { return plate().file.isEmpty() ? std::nullopt : std::optional(plate().opacity); },
        [this](double opacity, MergeId) {
-         set_plate({plate().file, opacity});
+         Plate changed = plate();
+         changed.opacity = opacity;
+         set_plate(changed);
        }})
       ->setToolTip(tr("0 shows the scene alone, 1 the plate alone"));
-  on_refresh([this, choose, remove] {
+  auto* sequence = named(new QCheckBox(tr("Plate of each frame"), this), "plate_sequence",
+                         tr("The picture is one of several, whose names differ in the number of "
+                            "the frame: shows the last one up to the current frame"));
+  form->addRow({}, sequence);
+  connect(sequence, &QCheckBox::clicked, this, [this](bool on) {
+    Plate changed = plate();
+    changed.is_sequence = on;
+    set_plate(changed);
+  });
+  on_refresh([this, choose, remove, sequence] {
     const QString file = plate().file;
     choose->setText(file.isEmpty() ? tr("Choose…") : to_qstring(to_path(file).filename()));
     choose->setToolTip(plain_tool_tip(
         file.isEmpty() ? tr("A photographed picture over the frame of the camera, to match the "
                             "scene with. It is not rendered, and not saved with the scene")
                        : file));
-    remove->setEnabled(!file.isEmpty());
+    for (QWidget* widget : {static_cast<QWidget*>(remove), static_cast<QWidget*>(sequence)}) {
+      widget->setEnabled(!file.isEmpty());
+    }
+    sequence->setChecked(plate().is_sequence);
   });
   on_change(document_, Change::scene, this, &PlatePanel::restore);
   on_change(document_, Change::file, this, &PlatePanel::store);
@@ -142,7 +169,7 @@ void PlatePanel::read_next() {
       plate.file = to_qstring(file);
       if (chosen_for == in_use()) {
         reading_.cancel();
-        shown_ = plate.file;
+        shown_ = {plate.file, -1};  // of a sequence it is another one
         picture_ = picture;
       }
       store();
@@ -156,7 +183,7 @@ void PlatePanel::restore() {
   choices_.clear();
   plates_.clear();
   since_.clear();
-  shown_.clear();
+  shown_ = {};
   picture_ = {};
   last_revision_ = document_.revision();
   cameras_.clear();
@@ -166,7 +193,8 @@ void PlatePanel::restore() {
     if (scene.isEmpty() || scene_of(entry) != scene) continue;
     const QVariantMap values = entry.toMap();
     plates_[key_of(values.value("camera").toString())] = {values.value("picture").toString(),
-                                                          values.value("opacity").toDouble()};
+                                                          values.value("opacity").toDouble(),
+                                                          values.value("sequence").toBool()};
   }
   show_plate();
 }
@@ -183,7 +211,8 @@ void PlatePanel::store() const {
     entries.prepend(QVariantMap{{"scene", scene},
                                 {"camera", camera},
                                 {"picture", found->second.file},
-                                {"opacity", found->second.opacity}});
+                                {"opacity", found->second.opacity},
+                                {"sequence", found->second.is_sequence}});
   }
   settings.setValue(plates_key, QVariantList(entries.mid(0, max_plates)));
 }
@@ -216,15 +245,24 @@ void PlatePanel::follow_cameras() {
   show_plate();
 }
 
+void PlatePanel::show_frame(int frame) {
+  frame_ = frame;
+  if (plate_of(in_use()).is_sequence) show_plate();
+}
+
 void PlatePanel::show_plate() {
   const Plate shown = plate_of(in_use());
-  if (shown.file != shown_) {
-    shown_ = shown.file;
-    picture_ = {};
+  const std::pair wanted(shown.file, shown.is_sequence ? frame_ : -1);
+  // In playback frames that come while one is read are left out.
+  const bool is_same = wanted.first == shown_.first;
+  if (wanted != shown_ && !(is_same && reading_.is_running())) {
+    if (!is_same) picture_ = {};
+    shown_ = wanted;
     reading_.cancel();
-    if (!shown_.isEmpty()) {
-      reading_.start([this, file = to_path(shown_)](const Job&) {
-        return [this, picture = read_plate(file)] {
+    if (!shown.file.isEmpty()) {
+      reading_.start([this, file = to_path(shown.file), frame = wanted.second](const Job&) {
+        const auto numbered = frame < 0 ? file : file_of_frame(file, frame);
+        return [this, picture = read_plate(numbered)] {
           picture_ = picture;
           show_plate();
         };

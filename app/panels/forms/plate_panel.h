@@ -26,6 +26,7 @@ class PlatePanel : public SceneForm {
   PlatePanel(Document& document, std::function<QString()> camera, QWidget* parent);
 
   using SceneForm::refresh;
+  void show_frame(int frame);
 
   // Reads it in the background. Empty: none.
   void set_picture(const std::filesystem::path& file);
@@ -37,6 +38,7 @@ class PlatePanel : public SceneForm {
   struct Plate {
     QString file;  // empty: none
     double opacity = 0.5;
+    bool is_sequence = false;  // the file is one of several, which are numbered by frame
   };
 
   // A camera by its name, and the revision of the document since when it is there by that: another
@@ -65,7 +67,8 @@ class PlatePanel : public SceneForm {
   std::vector<CameraKey> cameras_;                    // of the scene
   std::map<QString, std::set<std::uint64_t>> since_;  // what keys of cameras have, by name
   std::uint64_t last_revision_ = 0;                   // that has been seen
-  QString shown_;                                     // the file of the picture
+  int frame_ = 0;
+  std::pair<QString, int> shown_;  // the file of the picture, and its frame if it is a sequence
   QImage picture_;
   BackgroundJob reading_{BackgroundJob::Policy::latest_wins};  // of the camera in use
   std::deque<Choice> choices_;                                 // the first one is being read
