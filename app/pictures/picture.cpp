@@ -77,7 +77,7 @@ QImage layer_image(const PictureLayer& layer, const Picture& picture) {
   for (std::size_t i = 0; i < picture.rgb.size(); ++i) {
     float value = picture.rgb[i];
     if (layer.name == distance_layer) {
-      value = value > 0.0F ? 0.05F + 0.95F * (farthest - value) / range : 0.0F;
+      value = value > 0.0F ? 1.0F - 0.95F * (value - nearest) / range : 0.0F;
     }
     frame.beauty[i / 3 * 4 + i % 3] = std::max(value, 0.0F);
   }

@@ -6,6 +6,7 @@
 #include <QScrollBar>
 #include <QToolButton>
 
+#include "app/widgets/application.h"
 #include "app/widgets/plain_text.h"
 #include "app/widgets/rows.h"
 
@@ -54,7 +55,8 @@ SlotStrip::SlotStrip(PictureSlots& slots, QWidget* parent)
   connect(&slots_, &PictureSlots::changed, this, &SlotStrip::show_slot);
   connect(&slots_, &PictureSlots::labelled, this, &SlotStrip::show_slot);
   for (const QButtonGroup* group : {a_, b_}) {
-    connect(group, &QButtonGroup::idToggled, this, [this](int, bool on) {
+    connect(group, &QButtonGroup::idToggled, this, [this](int slot, bool on) {
+      show_slot(static_cast<std::size_t>(slot));
       if (on) Q_EMIT chosen();
     });
   }
@@ -78,6 +80,7 @@ void SlotStrip::add_tile(QBoxLayout& row, int slot) {
                               : tr("Compares A with slot %1, as B").arg(slot + 1));
     button->setText(is_a ? tr("A") : tr("B"));
     button->setCheckable(true);
+    button->setAutoRaise(true);
     group->addButton(button, slot);
     names->addWidget(button);
   }
@@ -93,6 +96,15 @@ void SlotStrip::show_slot(std::size_t slot) {
   const Picture* picture = slots_.at(slot).get();
   const Tile& tile = tiles_[slot];
   const int number = static_cast<int>(slot);
+  for (const QButtonGroup* group : {a_, b_}) {
+    QAbstractButton* button = group->button(number);
+    QPalette colors = palette();
+    if (button->isChecked()) colors.setColor(QPalette::ButtonText, accent_color());
+    button->setPalette(colors);
+    QFont font = button->font();
+    font.setBold(button->isChecked());
+    button->setFont(font);
+  }
   tile.thumbnail->setIcon(thumbnail_of(picture, number, devicePixelRatioF()));
   const QString name = slots_.name(slot);
   tile.name->setText(tile.name->fontMetrics().elidedText(name, Qt::ElideRight, tile.name->width()));
