@@ -111,13 +111,15 @@ class ColoursTest : public QObject {
     auto* table = desk.findChild<QTableView*>();
     const auto type_into = [&](int row, int column, const QString& text) {
       const QModelIndex cell = table->model()->index(row, column);
-      table->setCurrentIndex(cell);
+      table->selectionModel()->setCurrentIndex(cell, QItemSelectionModel::NoUpdate);
       table->edit(cell);
-      auto* editor = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+      auto* editor = table->viewport()->findChild<QLineEdit*>();
       if (!editor) qFatal("no editor");
       editor->selectAll();
       QTest::keyClicks(editor, text);
       QTest::keyClick(editor, Qt::Key_Return);
+      QCoreApplication::processEvents();  // it is taken over later, and goes
+      QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     };
     const auto optics = [&](std::size_t i) { return document.medium().optics(i); };
     type_into(0, 5, "0.9 0.2 0.1");
