@@ -145,7 +145,7 @@ QueueList::QueueList(RenderQueue& queue, QWidget* parent)
   list_->header()->setStretchLastSection(false);
   list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   list_->header()->setSectionResizeMode(priority_column, QHeaderView::ResizeToContents);
-  list_->setMinimumHeight(96);
+  list_->setMinimumHeight(60);
   list_->setContextMenuPolicy(Qt::CustomContextMenu);
   list_->setToolTip(
       tr("Renders go on while you edit, each of the scene as it was when it was added. "
