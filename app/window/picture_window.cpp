@@ -44,9 +44,8 @@ PictureWindow::PictureWindow(const Workspace& work, FileJobs& jobs, QMainWindow&
 
 // Without a transient parent it is not always above the editor.
 void PictureWindow::show() {
-  viewer_->winId();
-  viewer_->windowHandle()->setTransientParent(nullptr);
   viewer_->show();
+  viewer_->windowHandle()->setTransientParent(nullptr);
   viewer_->raise();
 }
 
