@@ -60,7 +60,7 @@ brume_package(programs brume SECTION graphics
   SUMMARY "editor and renderer for fog, smoke and steam"
   TEXT "${method} This package has the editor, the command line and sample scenes."
   DEPENDS "qt6-svg-plugins | libqt6svg6 (<< 6.6)"
-  RECOMMENDS "brume-doc, fonts-dejavu-core, libgl1-mesa-dri"
+  RECOMMENDS "brume-doc, fonts-dejavu-core, libgl1-mesa-dri, qt6-translations-l10n"
   SUGGESTS "ffmpeg")
 set(library libbrume${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 brume_package(library ${library} SECTION libs

@@ -11,6 +11,7 @@
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
+#include "app/document/words.h"
 #include "core/math/rounded.h"
 
 namespace brume {
@@ -244,7 +245,7 @@ QString fog_problem(const FogShape& shape) {
 void add_fog_preset(Document& document, const FogPreset& preset, const FogPlace& place) {
   const QString title = QCoreApplication::translate("Fog", preset.title).remove('&');
   const auto add = [&document, &preset, place, title](const auto& numbers) {
-    as_one_step(document, undo_text("Add %1").arg(title.toLower()),
+    as_one_step(document, undo_text("Add %1").arg(in_sentence(title)),
                 [&] { preset.add(document, numbers, place); });
   };
   std::visit([&](const auto& numbers) { perform(document, title, tidy(numbers), add); },

@@ -9,6 +9,7 @@
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
+#include "app/document/words.h"
 
 namespace brume {
 namespace {
@@ -21,11 +22,11 @@ const Track& track_of(const auto& keys) {
 }
 
 // "light 1 position", or "3 values".
-QString in_sentence(const auto& tracks) {
+QString tracks_text(const auto& tracks) {
   const Track& first = track_of(tracks.front());
   const auto is_other = [&first](const auto& keys) { return track_of(keys) != first; };
-  if (std::ranges::none_of(tracks, is_other)) return first.title().toLower();
-  return undo_text("%1 values").arg(tracks.size());
+  if (std::ranges::none_of(tracks, is_other)) return in_sentence(first.title());
+  return undo_text("%n value(s)", static_cast<int>(tracks.size()));
 }
 
 std::size_t count_of(std::span<const TrackKeys> keys) {
@@ -63,12 +64,11 @@ void edit_tracks(Document& document, std::span<const TrackKeys> keys, const QStr
   if (keys.empty()) return;
   std::vector<ScenePart> parts = parts_of(document.scene(), keys);
   for (const TrackKeys& track : keys) edit(part_of(parts, track.track), track);
-  push(document, std::move(parts), text.arg(in_sentence(keys)));
+  push(document, std::move(parts), text.arg(tracks_text(keys)));
 }
 
 QString move_text(const auto& tracks, std::size_t count) {
-  return (count > 1 ? undo_text("Move keyframes of %1") : undo_text("Move keyframe of %1"))
-      .arg(in_sentence(tracks));
+  return undo_text("Move keyframe(s) of %1", static_cast<int>(count)).arg(tracks_text(tracks));
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ void set_keys(Document& document, std::span<const Track> tracks) {
   if (tracks.empty()) return;
   std::vector<ScenePart> parts = parts_of_tracks(document.scene(), tracks);
   for (const Track& track : tracks) set_keys(part_of(parts, track), track, document.time());
-  push(document, std::move(parts), undo_text("Set keyframe of %1").arg(in_sentence(tracks)));
+  push(document, std::move(parts), undo_text("Set keyframe of %1").arg(tracks_text(tracks)));
 }
 
 void set_keys(Document& document, const Track& track) {
@@ -88,13 +88,12 @@ void set_camera_keys(Document& document, const Camera& camera) {
   const std::array track{tracks(document.scene()).front()};
   ScenePart part = keyed_camera(document, camera);
   set_keys(part, track[0], document.time());
-  push(document, {std::move(part)}, undo_text("Set keyframe of %1").arg(in_sentence(track)));
+  push(document, {std::move(part)}, undo_text("Set keyframe of %1").arg(tracks_text(track)));
 }
 
 void delete_keys(Document& document, std::span<const TrackKeys> keys) {
   edit_tracks(
-      document, keys,
-      count_of(keys) > 1 ? undo_text("Delete keyframes of %1") : undo_text("Delete keyframe of %1"),
+      document, keys, undo_text("Delete keyframe(s) of %1", static_cast<int>(count_of(keys))),
       [](ScenePart& part, const TrackKeys& track) { delete_keys(part, track.track, track.times); });
 }
 
@@ -157,7 +156,7 @@ void set_tangent(Document& document, const Track& track, const CurveId& curve,
   ScenePart part = scene_part(document.scene(), track.part);
   set_tangent(part, curve, edit);
   push(document, {std::move(part)},
-       undo_text("Set tangent of %1").arg(in_sentence(std::array{track})), merge_id);
+       undo_text("Set tangent of %1").arg(tracks_text(std::array{track})), merge_id);
 }
 
 void set_interpolation(Document& document, std::span<const TrackKeys> keys,
@@ -218,7 +217,7 @@ std::vector<TrackKeys> paste_keys(Document& document, const CopiedKeys& copied,
     paste_keys(part_of(parts, pasted[k].track), pasted[k].track, part_of(sources, source.track),
                source.track, moves);
   }
-  push(document, std::move(parts), undo_text("Paste keyframes of %1").arg(in_sentence(pasted)));
+  push(document, std::move(parts), undo_text("Paste keyframes of %1").arg(tracks_text(pasted)));
   return pasted;
 }
 

@@ -37,7 +37,7 @@ void add_gaussians(Document& document, std::span<const Gaussian> gaussians, cons
   std::vector<Gaussian> added;
   for (const Gaussian& gaussian : gaussians) added.push_back(within_domains(gaussian));
   push(document, MediumEdit::add(document.medium(), added),
-       QString("%1 %2").arg(verb, gaussians_text(added.size())));
+       undo_text("%1 %2").arg(verb, gaussians_text(added.size())));
 }
 
 void replace_gaussians(Document& document, std::span<const GaussianId> removed,
@@ -54,7 +54,7 @@ void replace_gaussians(Document& document, std::span<const GaussianId> removed,
 void delete_selection(Document& document, const QString& verb) {
   const std::size_t count = document.selection().size();
   push(document, MediumEdit::remove(document.medium(), document.selection()),
-       QString("%1 %2").arg(verb, gaussians_text(count)));
+       undo_text("%1 %2").arg(verb, gaussians_text(count)));
 }
 
 void set_homogeneous_density(Document& document, double b0, MergeId merge_id) {

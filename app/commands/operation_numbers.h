@@ -84,7 +84,7 @@ template <>
 inline constexpr auto fields<FogShape> = std::tuple{
     field(&FogShape::center, domain::coordinate,
           {.name = "center",
-           .label = "Center",
+           .label = "Centre",
            .unit = "u",
            .says = "Of height fog the middle of its footprint, on the ground",
            .step = 0.01}),

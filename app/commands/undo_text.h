@@ -5,9 +5,9 @@
 
 namespace brume {
 
-// The translated text of a command in the history.
-inline QString undo_text(const char* text) {
-  return QCoreApplication::translate("Undo", text);
+// The translated text of a command in the history, with %n and the plural of a count.
+inline QString undo_text(const char* text, int count = -1) {
+  return QCoreApplication::translate("Undo", text, nullptr, count);
 }
 
 }  // namespace brume

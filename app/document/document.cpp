@@ -158,6 +158,11 @@ void Document::set_file_missing(bool missing) {
   announce(Change::modified);
 }
 
+void Document::set_undo_limit(int steps) {
+  undo_limit_ = steps;
+  if (undo_stack_.count() == 0) undo_stack_.setUndoLimit(steps);
+}
+
 void Document::open_unsaved(SceneDocument document, const std::filesystem::path& file,
                             const std::optional<FileVersion>& version) {
   open(std::move(document), file, version);
@@ -168,6 +173,7 @@ void Document::open(SceneDocument document, const std::filesystem::path& file,
                     const std::optional<FileVersion>& version) {
   last_operation_.forget();
   undo_stack_.clear();
+  set_undo_limit(undo_limit_);
   scene_ = std::move(document.scene);
   extras_ = std::move(document.extras);
   time_ = 0.0;

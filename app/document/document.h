@@ -46,6 +46,8 @@ class Document : public QObject {
   [[nodiscard]] std::shared_ptr<const Scene> visible_snapshot() const;
 
   [[nodiscard]] QUndoStack& undo_stack() { return undo_stack_; }
+  // How many steps can be undone; 0: all. A history that has steps keeps its limit.
+  void set_undo_limit(int steps);
   [[nodiscard]] LastOperation& last_operation() { return last_operation_; }
   [[nodiscard]] const LastOperation& last_operation() const { return last_operation_; }
   // Whether the scene differs from the file, or that is missing; the selection does not count.
@@ -158,6 +160,7 @@ class Document : public QObject {
   mutable Revision visible_medium_of_ = 0;
   mutable std::vector<GaussianId> hidden_in_visible_medium_;
   QUndoStack undo_stack_;
+  int undo_limit_ = 0;
   LastOperation last_operation_{undo_stack_};
   std::filesystem::path file_;
   std::optional<FileVersion> file_version_;

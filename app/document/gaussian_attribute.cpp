@@ -9,6 +9,7 @@
 #include "app/document/arithmetic.h"
 #include "app/document/euler_angles.h"
 #include "app/document/number_text.h"
+#include "app/document/words.h"
 #include "core/math/max_component.h"
 #include "core/math/rounded.h"
 #include "core/scene/lights/photometry.h"
@@ -16,11 +17,12 @@
 namespace brume {
 namespace {
 
-QString attribute_text(const char* text) {
-  return QCoreApplication::translate("GaussianField", text);
+QString attribute_text(const char* text, int count = -1) {
+  return QCoreApplication::translate("GaussianField", text, nullptr, count);
 }
 
 struct AttributeInfo {
+  const char* id;
   const char* title;
   const NumberDomain& domain;
 };
@@ -28,20 +30,20 @@ struct AttributeInfo {
 const AttributeInfo& info(GaussianAttribute field) {
   // In the order of the enumeration.
   static constexpr auto all = std::to_array<AttributeInfo>({
-      {QT_TRANSLATE_NOOP("GaussianField", "Center X"), domain::coordinate},
-      {QT_TRANSLATE_NOOP("GaussianField", "Center Y"), domain::coordinate},
-      {QT_TRANSLATE_NOOP("GaussianField", "Center Z"), domain::coordinate},
-      {QT_TRANSLATE_NOOP("GaussianField", "Radius"), domain::length},
-      {QT_TRANSLATE_NOOP("GaussianField", "Density"), domain::density},
-      {QT_TRANSLATE_NOOP("GaussianField", "Albedo"), domain::albedo},
-      {QT_TRANSLATE_NOOP("GaussianField", "Emission"), domain::intensity},
-      {QT_TRANSLATE_NOOP("GaussianField", "Radius X"), domain::length},
-      {QT_TRANSLATE_NOOP("GaussianField", "Radius Y"), domain::length},
-      {QT_TRANSLATE_NOOP("GaussianField", "Radius Z"), domain::length},
-      {QT_TRANSLATE_NOOP("GaussianField", "Rotation X"), domain::degrees},
-      {QT_TRANSLATE_NOOP("GaussianField", "Rotation Y"), domain::degrees},
-      {QT_TRANSLATE_NOOP("GaussianField", "Rotation Z"), domain::degrees},
-      {QT_TRANSLATE_NOOP("GaussianField", "Elongation"), domain::elongation},
+      {"center_x", QT_TRANSLATE_NOOP("GaussianField", "Centre X"), domain::coordinate},
+      {"center_y", QT_TRANSLATE_NOOP("GaussianField", "Centre Y"), domain::coordinate},
+      {"center_z", QT_TRANSLATE_NOOP("GaussianField", "Centre Z"), domain::coordinate},
+      {"radius", QT_TRANSLATE_NOOP("GaussianField", "Radius"), domain::length},
+      {"density", QT_TRANSLATE_NOOP("GaussianField", "Density"), domain::density},
+      {"albedo", QT_TRANSLATE_NOOP("GaussianField", "Albedo"), domain::albedo},
+      {"emission", QT_TRANSLATE_NOOP("GaussianField", "Emission"), domain::intensity},
+      {"radius_x", QT_TRANSLATE_NOOP("GaussianField", "Radius X"), domain::length},
+      {"radius_y", QT_TRANSLATE_NOOP("GaussianField", "Radius Y"), domain::length},
+      {"radius_z", QT_TRANSLATE_NOOP("GaussianField", "Radius Z"), domain::length},
+      {"rotation_x", QT_TRANSLATE_NOOP("GaussianField", "Rotation X"), domain::degrees},
+      {"rotation_y", QT_TRANSLATE_NOOP("GaussianField", "Rotation Y"), domain::degrees},
+      {"rotation_z", QT_TRANSLATE_NOOP("GaussianField", "Rotation Z"), domain::degrees},
+      {"elongation", QT_TRANSLATE_NOOP("GaussianField", "Elongation"), domain::elongation},
   });
   static_assert(all.size() == gaussian_attributes.size());
   return all[static_cast<std::size_t>(field)];
@@ -72,12 +74,16 @@ const NumberDomain& attribute_domain(GaussianAttribute field) {
   return info(field).domain;
 }
 
+const char* attribute_id(GaussianAttribute field) {
+  return info(field).id;
+}
+
 QString attribute_title(GaussianAttribute field) {
   return attribute_text(info(field).title);
 }
 
 QString attribute_name(GaussianAttribute field) {
-  return attribute_title(field).toLower();
+  return in_sentence(attribute_title(field));
 }
 
 double attribute_value(const Gaussian& gaussian, GaussianAttribute field) {
@@ -187,7 +193,8 @@ glm::dvec3 emission_color(const glm::dvec3& emission) {
 QString attribute_problem(GaussianAttribute field, double value) {
   const NumberDomain& domain = attribute_domain(field);
   if (domain.contains(value)) return {};
-  const QString rule = attribute_text("%1 must be %2").arg(attribute_title(field), domain.allowed);
+  const QString rule =
+      attribute_text("%1 must be %2").arg(attribute_title(field), allowed_text(domain));
   // NaN was text that only the user knows.
   if (std::isnan(value)) return rule + '.';
   return attribute_text("%1, not %2.").arg(rule, number_text(value));
@@ -205,7 +212,7 @@ double parse_number(const QString& text) {
 }
 
 QString gaussians_text(std::size_t count) {
-  return count == 1 ? attribute_text("Gaussian") : attribute_text("%1 Gaussians").arg(count);
+  return attribute_text("%n Gaussian(s)", static_cast<int>(count));
 }
 
 }  // namespace brume

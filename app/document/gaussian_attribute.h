@@ -41,8 +41,9 @@ inline constexpr std::size_t ball_attributes = 5;
 // Whether it is one of the last, of which all balls have the same, or all those of one radius.
 bool is_of_shape(GaussianAttribute field);
 
-QString attribute_title(GaussianAttribute field);  // "Center X"
-QString attribute_name(GaussianAttribute field);   // "center x", for use inside a sentence
+QString attribute_title(GaussianAttribute field);   // "Centre X"
+QString attribute_name(GaussianAttribute field);    // "centre x", for use inside a sentence
+const char* attribute_id(GaussianAttribute field);  // "center_x", in every language
 
 // The domain in files, so everything edited can be loaded again.
 const NumberDomain& attribute_domain(GaussianAttribute field);
@@ -69,6 +70,6 @@ QString attribute_problem(GaussianAttribute field, double value);
 double parse_number(const QString& text);
 
 // "Gaussian" for one, "3 Gaussians" for three.
-QString gaussians_text(std::size_t count);
+QString gaussians_text(std::size_t count);  // "3 Gaussians"
 
 }  // namespace brume

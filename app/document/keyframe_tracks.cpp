@@ -8,6 +8,7 @@
 
 #include "app/document/object_titles.h"
 #include "app/document/visit_keyed_part.h"
+#include "app/document/words.h"
 #include "core/number_domain.h"
 #include "core/scene/animation/keys_in_domain.h"
 #include "core/scene/imported_scene.h"
@@ -239,7 +240,7 @@ void follow_places(std::vector<Track>& tracks, const ObjectPlaces& places) {
 
 QString Track::title() const {
   if (object.isEmpty() || value.isEmpty()) return object + value;
-  return object + ' ' + value.toLower();
+  return object + ' ' + in_sentence(value);
 }
 
 std::vector<Track> tracks(const Scene& scene) {

@@ -16,7 +16,7 @@ void LastOperation::perform(const Operation& operation) {
 
 void LastOperation::record(const Operation& operation, const std::function<void()>& work) {
   operation_ = operation;
-  start_ = stack_.index();
+  former_ = last_step();
   step_ = nullptr;
   complete(work);
   Q_EMIT changed();
@@ -26,11 +26,12 @@ bool LastOperation::complete(const std::function<void()>& work) {
   is_working_ = true;
   if (step_) stack_.undo();
   work();
-  const bool has_made_step = stack_.index() > start_;
+  const bool has_made_step = last_step() != former_;
   if (step_ && !has_made_step) stack_.redo();
   is_working_ = false;
-  const bool has_step = operation_ && stack_.index() == start_ + 1;
-  step_ = has_step ? stack_.command(start_) : nullptr;
+  const int former = stack_.index() - 2;
+  const bool is_one = former >= 0 ? stack_.command(former) == former_ : has_made_step;
+  step_ = operation_ && has_made_step && is_one ? last_step() : nullptr;
   return has_made_step;
 }
 
@@ -56,9 +57,11 @@ void LastOperation::forget() {
 
 void LastOperation::follow() {
   if (is_working_ || !operation_) return;
-  const int end = step_ ? start_ + 1 : start_;
-  const bool is_last = stack_.index() == end && (!step_ || stack_.command(start_) == step_);
-  if (!is_last) forget();
+  if (last_step() != (step_ ? step_ : former_)) forget();
+}
+
+const QUndoCommand* LastOperation::last_step() const {
+  return stack_.index() > 0 ? stack_.command(stack_.index() - 1) : nullptr;
 }
 
 }  // namespace brume

@@ -45,11 +45,12 @@ class LastOperation : public QObject {
 
  private:
   void follow();
+  [[nodiscard]] const QUndoCommand* last_step() const;
 
   QUndoStack& stack_;
   std::optional<Operation> operation_;
-  int start_ = 0;                       // index of the stack before it
-  const QUndoCommand* step_ = nullptr;  // null: it has none, or not yet
+  const QUndoCommand* former_ = nullptr;  // the step before it; null: none
+  const QUndoCommand* step_ = nullptr;    // null: it has none, or not yet
   bool is_working_ = false;
   bool is_adjusting_ = false;
 };

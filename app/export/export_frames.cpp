@@ -16,9 +16,10 @@ std::string summary(const FrameLoop::Result& result) {
   const std::size_t complete = result.made.size() + result.skipped.size();
   const QString first =
       QCoreApplication::translate("export", "Frame %1: %2").arg(frame).arg(why.c_str());
-  const QString rest = QCoreApplication::translate("export", "(%1 of %2 frames are written)")
-                           .arg(complete)
-                           .arg(complete + result.failed.size());
+  const std::size_t all = complete + result.failed.size();
+  const QString rest = QCoreApplication::translate("export", "(%1 of %n frame(s) are written)",
+                                                   nullptr, static_cast<int>(all))
+                           .arg(complete);
   return (first + " " + rest).toStdString();
 }
 

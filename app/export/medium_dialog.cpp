@@ -18,6 +18,7 @@
 #include "app/document/paths.h"
 #include "app/document/scene_at.h"
 #include "app/document/timeline.h"
+#include "app/document/words.h"
 #include "app/files/file_dialogs.h"
 #include "app/widgets/color_button.h"
 #include "app/widgets/opacity_along_box.h"
@@ -101,7 +102,7 @@ MediumDialog::MediumDialog(const Document& document, const Timeline& timeline, d
       last_(named(new WholeNumberBox(tr("Last frame"), 0, limits::frame, this), "medium_last")),
       memory_(named(new PlainLabel(this), "medium_memory")),
       export_(named(new QPushButton(tr("Export")), "export_medium")) {
-  setWindowTitle(tr("Export medium"));
+  setWindowTitle(tr("Export Medium"));
   setAttribute(Qt::WA_DeleteOnClose);
   add_what();
   for (const Format& format : formats()) {
@@ -258,7 +259,7 @@ void MediumDialog::show_memory() {
     text = problem;
   } else if (is_lit(chosen.format) && !exposure_->hasAcceptableInput()) {
     possible = false;
-    text = tr("The exposure must be %1.").arg(exposure_domain.allowed);
+    text = tr("The exposure must be %1.").arg(allowed_text(exposure_domain));
   } else if (has_volume(chosen.format) && !voxel_->hasAcceptableInput()) {
     possible = false;
     text = tr("The voxel size must be greater than 0.");
@@ -288,7 +289,7 @@ void MediumDialog::browse() {
   QString filter = filters[format_->currentIndex()];
   filters << tr("All files (*)");
   const QString name =
-      QFileDialog::getSaveFileName(this, tr("Export medium"), file_->text(), filters.join(";;"),
+      QFileDialog::getSaveFileName(this, tr("Export Medium"), file_->text(), filters.join(";;"),
                                    &filter, QFileDialog::DontConfirmOverwrite);
   if (!name.isEmpty()) file_->setText(name);
 }

@@ -324,15 +324,11 @@ void QueueList::open_folder() {
 bool may_stop(const RenderQueue& queue, QWidget* window) {
   const int unfinished = queue.unfinished();
   if (unfinished == 0) return true;
-  const QString text =
-      unfinished == 1
-          ? QueueList::tr(
-                "A render is not finished. Stop it? At the next start it is in the queue.")
-          : QueueList::tr(
-                "%1 renders are not finished. Stop them? At the next start they are in the "
-                "queue.")
-                .arg(unfinished);
-  return ask(window, QueueList::tr("Unfinished renders"), text,
+  const QString text = QueueList::tr(
+      "%n render(s) are not finished. Stop them? At the next start they are in the "
+      "queue.",
+      nullptr, unfinished);
+  return ask(window, QueueList::tr("Unfinished Renders"), text,
              {{QMessageBox::Cancel, QueueList::tr("Keep Rendering")},
               {QMessageBox::Yes, QueueList::tr("Stop")}}) == QMessageBox::Yes;
 }

@@ -14,8 +14,8 @@ namespace brume {
 namespace fs = std::filesystem;
 namespace {
 
-QString dialog_text(const char* text) {
-  return QCoreApplication::translate("FileDialogs", text);
+QString dialog_text(const char* text, int count = -1) {
+  return QCoreApplication::translate("FileDialogs", text, nullptr, count);
 }
 
 QString settings_key(FileKind kind) {
@@ -77,10 +77,10 @@ bool may_replace(QWidget* window, const fs::path& file,
   if (present.empty()) return true;
   const QString text = present.size() == 1
                            ? dialog_text("“%1” already exists. Replace it?").arg(present.front())
-                           : dialog_text("%1 files already exist, “%2” to “%3”. Replace them?")
-                                 .arg(present.size())
+                           : dialog_text("%n file(s) already exist, “%1” to “%2”. Replace them?",
+                                         static_cast<int>(present.size()))
                                  .arg(present.front(), present.back());
-  return ask(window, dialog_text("Replace files"), text,
+  return ask(window, dialog_text("Replace Files"), text,
              {{QMessageBox::Cancel}, {QMessageBox::Yes, dialog_text("Replace")}}) ==
          QMessageBox::Yes;
 }

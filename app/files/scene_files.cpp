@@ -45,20 +45,20 @@ bool SceneFiles::create() {
 
 void SceneFiles::open() {
   const std::filesystem::path file =
-      ask_for_file(window_, FileKind::scene, tr("Open scene"), filter(), document_.folder());
+      ask_for_file(window_, FileKind::scene, tr("Open Scene"), filter(), document_.folder());
   if (!file.empty()) open_file(file);
 }
 
 void SceneFiles::open_file(const std::filesystem::path& file) {
   if (!may_discard()) return;
-  discard_index_ = document_.undo_stack().index();
+  discard_revision_ = document_.revision();
   restoring_.reset();
   load(file);
 }
 
 void SceneFiles::open_copy(const std::filesystem::path& file) {
   if (!may_discard()) return;
-  discard_index_ = document_.undo_stack().index();
+  discard_revision_ = document_.revision();
   restoring_.reset();
   load(file);
   is_copy_ = true;
@@ -66,7 +66,7 @@ void SceneFiles::open_copy(const std::filesystem::path& file) {
 
 void SceneFiles::restore(const RecoveryFile& work) {
   if (!may_discard()) return;
-  discard_index_ = document_.undo_stack().index();
+  discard_revision_ = document_.revision();
   restoring_ = work;
   load(work.scene);
 }
@@ -83,7 +83,7 @@ void SceneFiles::load(const std::filesystem::path& file, const FoundFiles& found
 void SceneFiles::adopt(LoadedScene& loaded) {
   commit_typing();
   // Changes made meanwhile need a new question.
-  if (document_.undo_stack().index() != discard_index_ && !may_discard()) return;
+  if (document_.revision() != discard_revision_ && !may_discard()) return;
   version_check_.cancel();
   other_version_.reset();
   missing_ = loaded.missing.missing;
@@ -132,7 +132,7 @@ SceneFiles::Replace SceneFiles::may_replace() {
   const std::optional<FileVersion> present = FileVersion::read(document_.file());
   if (!present || present == document_.file_version()) return Replace::yes;
   const auto answer =
-      ask(window_, tr("Changed on disk"),
+      ask(window_, tr("Changed on Disk"),
           tr("“%1” has been changed by another program. Overwriting it discards that change.")
               .arg(document_.name()),
           {{QMessageBox::Cancel},
@@ -201,7 +201,7 @@ void SceneFiles::find_missing() {
     }
   }
   if (!may_discard() || document_.file().empty()) return;
-  discard_index_ = document_.undo_stack().index();
+  discard_revision_ = document_.revision();
   restoring_.reset();
   load(document_.file(), files);
 }
@@ -209,7 +209,7 @@ void SceneFiles::find_missing() {
 bool SceneFiles::save_as() {
   const QString folder = document_.file().empty() ? last_folder(FileKind::scene, document_.folder())
                                                   : document_.folder();
-  QFileDialog dialog(window_, tr("Save scene as"), folder, filter());
+  QFileDialog dialog(window_, tr("Save Scene As"), folder, filter());
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setDefaultSuffix("brume");
   dialog.selectFile(document_.file().empty() ? tr("untitled.brume") : document_.name());
@@ -235,7 +235,7 @@ bool SceneFiles::may_discard() {
   if (!document_.is_modified()) return true;
   const QString question = lacks_file() ? tr("“%1” is missing on disk. Save the scene there again?")
                                         : tr("Save the changes to “%1”?");
-  const auto answer = ask(window_, tr("Unsaved changes"), question.arg(document_.name()),
+  const auto answer = ask(window_, tr("Unsaved Changes"), question.arg(document_.name()),
                           {{QMessageBox::Save}, {QMessageBox::Discard}, {QMessageBox::Cancel}});
   if (answer == QMessageBox::Save) return save();
   return answer == QMessageBox::Discard;

@@ -90,7 +90,7 @@ class SceneFiles : public QObject {
   std::optional<RecoveryFile> restoring_;       // recovery file being loaded
   std::vector<std::filesystem::path> missing_;  // missing files of the scene
   bool is_copy_ = false;                        // what is being loaded becomes a new scene
-  int discard_index_ = 0;  // undo index at which unsaved work was discarded for the load
+  std::uint64_t discard_revision_ = 0;          // of unsaved work that was discarded for the load
   BackgroundJob loading_{BackgroundJob::Policy::latest_wins};
   BackgroundJob version_check_{BackgroundJob::Policy::latest_wins};
 };

@@ -17,6 +17,14 @@ std::size_t bytes_of(const RenderedFrame& frame) {
 
 }  // namespace
 
+void PictureCache::set_capacity(std::size_t capacity) {
+  capacity_ = capacity;
+  if (bytes_ <= capacity_) return;
+  views_.clear();
+  bytes_ = 0;
+  Q_EMIT changed();
+}
+
 void PictureCache::insert(const RenderedFrame& frame, bool full) {
   auto& pictures = views_[frame.request.view];
   const auto old = pictures.find(frame.request.time);

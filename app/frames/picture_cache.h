@@ -17,8 +17,9 @@ struct RenderedFrame;
 class PictureCache : public QObject {
   Q_OBJECT
  public:
-  static constexpr std::size_t default_capacity = std::size_t{512} << 20;  // bytes
-  explicit PictureCache(std::size_t capacity = default_capacity) : capacity_(capacity) {}
+  explicit PictureCache(std::size_t capacity = std::size_t{512} << 20) : capacity_(capacity) {}
+  // Forgets all pictures if they are more [bytes].
+  void set_capacity(std::size_t capacity);
 
   // Keeps the picture, without layers or scene. One at full quality is not replaced by another. A
   // full cache keeps what it has: in a loop, that is what comes next.
@@ -43,7 +44,7 @@ class PictureCache : public QObject {
   void changed();
 
  private:
-  const std::size_t capacity_;
+  std::size_t capacity_;
   std::size_t bytes_ = 0;
   std::map<int, std::map<double, Picture>> views_;
 };

@@ -16,8 +16,9 @@ SceneDialog::SceneDialog(const ImportedScene& scene, QWidget* parent) : QDialog(
   setAttribute(Qt::WA_DeleteOnClose);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(
-      new PlainLabel(tr("%n mesh(es) of %1 nodes", nullptr, static_cast<int>(scene.parts.size()))
-                         .arg(scene.nodes.size())));
+      new PlainLabel(tr("%1 of %2")
+                         .arg(tr("%n mesh(es)", nullptr, static_cast<int>(scene.parts.size())),
+                              tr("%n node(s)", nullptr, static_cast<int>(scene.nodes.size())))));
   QCheckBox* cameras = add_box("import_cameras", tr("Cameras (%1)"), scene.cameras.size());
   QCheckBox* lights = add_box("import_lights", tr("Lights (%1)"), scene.lights.size());
   lights->setToolTip(tr("Candela and lux become W/sr and W/u² at 683 lm/W"));

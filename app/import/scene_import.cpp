@@ -91,7 +91,7 @@ void SceneImport::ask() {
 
 void SceneImport::ask_sequence() {
   const fs::path file =
-      ask_for_file(window_, FileKind::import, tr("Import a sequence: choose any frame"),
+      ask_for_file(window_, FileKind::import, tr("Import a Sequence: Choose Any Frame"),
                    tr("Frames (*.vdb *.csv *.ply *.vtp *.vtu);;All files (*)"), document_.folder());
   if (!file.empty()) import_sequence(file);
 }
@@ -322,12 +322,13 @@ void SceneImport::import_each(const std::vector<fs::path>& files,
           // Once for all of them.
           if (std::ranges::none_of(found, needs_answer)) return read(found, {}, job);
           return [this, found] {
-            ask_about_splats(
-                tr("%1 files").arg(found.size()), [this, found](const SplatOptions& options) {
-                  start(found.front().path, [this, found, options](const Job& answered) {
-                    return read(found, options, answered);
-                  });
-                });
+            ask_about_splats(tr("%n file(s)", nullptr, static_cast<int>(found.size())),
+                             [this, found](const SplatOptions& options) {
+                               start(found.front().path,
+                                     [this, found, options](const Job& answered) {
+                                       return read(found, options, answered);
+                                     });
+                             });
           };
         });
 }
@@ -348,7 +349,7 @@ BackgroundJob::Apply SceneImport::read(const std::vector<File>& files, const Spl
                  static_cast<double>(files.size()));
   }
   return [this, takes, surfaces, lines = lines_of(warnings),
-          text = tr("Import %1 files").arg(files.size())] {
+          text = tr("Import %n file(s)", nullptr, static_cast<int>(files.size()))] {
     if (!lines.isEmpty()) Q_EMIT warned(lines);
     document_.undo_stack().beginMacro(text);
     for (const BackgroundJob::Apply& take : takes) {

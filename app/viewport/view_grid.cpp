@@ -2,6 +2,8 @@
 
 #include <QGridLayout>
 
+#include "app/widgets/interface_settings.h"
+
 namespace brume {
 
 ViewGrid::ViewGrid(Document& document, QWidget* parent)
@@ -10,6 +12,12 @@ ViewGrid::ViewGrid(Document& document, QWidget* parent)
   layout_->setSpacing(2);
   connect(&services_.frames.service, &FrameService::backend_changed, this,
           &ViewGrid::backend_changed);
+  auto& settings = InterfaceSettings::instance();
+  const auto limit_memory = [this, &settings] {
+    services_.frames.cache.set_capacity(static_cast<std::size_t>(settings.frame_memory()) << 20);
+  };
+  connect(&settings, &InterfaceSettings::changed, this, limit_memory);
+  limit_memory();
   make_pane(Projection::perspective);
   activate(perspective());
   arrange();
@@ -22,6 +30,7 @@ ViewGrid::~ViewGrid() {
 
 void ViewGrid::make_pane(Projection projection) {
   auto* pane = new Viewport(document_, services_, projection, this);
+  pane->setAccessibleName(projection_title(projection));
   const std::size_t k = panes_.size();
   panes_.push_back(pane);
   layout_->addWidget(pane, static_cast<int>(k / 2), static_cast<int>(k % 2));

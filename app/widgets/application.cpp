@@ -5,6 +5,9 @@
 #include <QSettings>
 
 #include "app/widgets/editor_style.h"
+#include "app/widgets/interface_settings.h"
+#include "app/widgets/mnemonics.h"
+#include "app/widgets/translation.h"
 #include "brume/version.h"
 
 #include "app/widgets/field_filter.h"
@@ -13,6 +16,7 @@ namespace brume {
 namespace {
 
 constexpr const char* theme_key = "view/theme";
+constexpr const char* scale_variable = "QT_SCALE_FACTOR";  // which Qt reads
 
 QPalette palette_of(Theme theme) {
   const bool dark = theme == Theme::dark;
@@ -58,6 +62,10 @@ void prepare_application() {
   QCoreApplication::setOrganizationName("Brume");
   QCoreApplication::setApplicationName("Brume");
   QCoreApplication::setApplicationVersion(version());
+  const double scale = InterfaceSettings::instance().interface_scale();
+  if (scale != 0.0 && !qEnvironmentVariableIsSet(scale_variable)) {
+    qputenv(scale_variable, QByteArray::number(scale));
+  }
 }
 
 void set_up_application(QApplication& application) {
@@ -66,6 +74,8 @@ void set_up_application(QApplication& application) {
   QApplication::setStyle(new EditorStyle);
   application.setPalette(palette_of(theme()));
   application.installEventFilter(new FieldFilter(&application));
+  application.installEventFilter(new Mnemonics(&application));
+  install_translations(application, InterfaceSettings::instance().language());
 }
 
 Theme theme() {

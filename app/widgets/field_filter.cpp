@@ -5,7 +5,6 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDialog>
-#include <QFormLayout>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -15,6 +14,8 @@
 #include <QTableView>
 #include <QToolTip>
 
+#include "app/widgets/accessible_names.h"
+#include "app/widgets/form_rows.h"
 #include "app/widgets/keys.h"
 #include "app/widgets/plain_text.h"
 #include "app/widgets/value_field.h"
@@ -68,28 +69,6 @@ bool end_typing(QSpinBox& box, int key) {
   return leave_field(box);
 }
 
-QWidgetList widgets_in(const QLayoutItem* item) {
-  QWidgetList found;
-  if (!item) return found;
-  if (item->widget()) found << const_cast<QLayoutItem*>(item)->widget();
-  const QLayout* layout = const_cast<QLayoutItem*>(item)->layout();
-  for (int k = 0; layout && k < layout->count(); ++k) found << widgets_in(layout->itemAt(k));
-  return found;
-}
-
-// The label and the values of the row of a form that a widget is in.
-QWidgetList row_with(QWidget* widget) {
-  if (!widget || !widget->parentWidget()) return {};
-  for (const QFormLayout* form : widget->parentWidget()->findChildren<QFormLayout*>()) {
-    for (int row = 0; row < form->rowCount(); ++row) {
-      const QWidgetList widgets = widgets_in(form->itemAt(row, QFormLayout::LabelRole)) +
-                                  widgets_in(form->itemAt(row, QFormLayout::FieldRole));
-      if (widgets.contains(widget)) return widgets;
-    }
-  }
-  return {};
-}
-
 // A label or value of a form has its own tool tip, or else that of another widget in the row, and
 // the range of a number.
 QString value_tool_tip(QWidget* widget) {
@@ -137,6 +116,10 @@ bool FieldFilter::eventFilter(QObject* watched, QEvent* event) {
       if (has_wheel_value(widget) && widget->focusPolicy() == Qt::WheelFocus) {
         widget->setFocusPolicy(Qt::StrongFocus);
       }
+      [[fallthrough]];
+    case QEvent::Show:
+    case QEvent::ToolTipChange:
+      if (widget) update_accessible_name(*widget);
       break;
     case QEvent::Enter:
       // Where one comes back to the picture with the mouse, letters are commands again; the cells

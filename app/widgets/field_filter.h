@@ -16,6 +16,7 @@ namespace brume {
 //   where the mouse comes to the picture;
 // - undo and redo are the document's, unless the text was changed since the field got the focus;
 // - the label and the values of a form's row have one tool tip, with the range of a number;
+// - what one acts on has an accessible name;
 // - after Enter, which takes it, and Escape, which does not, the view has the focus.
 class FieldFilter : public QObject {
   Q_OBJECT

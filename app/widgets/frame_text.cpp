@@ -19,8 +19,8 @@ int decimals(double share) {
   return share >= 0.0995 ? 0 : share >= 0.00995 ? 1 : 2;
 }
 
-QString frame_words(const char* text) {
-  return QCoreApplication::translate("Frame", text);
+QString frame_words(const char* text, int count = -1) {
+  return QCoreApplication::translate("Frame", text, nullptr, count);
 }
 
 QString number(double share, int digits) {
@@ -36,7 +36,7 @@ QString count_text(std::uint64_t count) {
 QString settings_text(const Settings& settings) {
   switch (settings.airlight) {
     case AirlightMethod::sliced:
-      return frame_words("%1 slices").arg(settings.slices);
+      return frame_words("%n slice(s)", settings.slices);
     case AirlightMethod::paper:
       return frame_words("paper's method");
     case AirlightMethod::reference:
@@ -51,7 +51,7 @@ QString settings_text(const Settings& settings) {
 
 QString backend_text(const FrameStatistics& statistics) {
   return statistics.backend == "gl"
-             ? QString("OpenGL on %1").arg(QString::fromStdString(statistics.device))
+             ? frame_words("OpenGL on %1").arg(QString::fromStdString(statistics.device))
              : QString("CPU");
 }
 
@@ -62,7 +62,7 @@ QString fallback_text(const FrameStatistics& statistics) {
 
 QString paths_text(const Frame& frame) {
   if (const std::optional<RelativeNoise> noise = relative_noise(frame)) {
-    return QString("%1 paths, noise %2")
+    return frame_words("%1 path(s), noise %2", static_cast<int>(noise->paths))
         .arg(count_text(static_cast<std::uint64_t>(noise->paths)), percent_text(noise->picture));
   }
   const std::vector<StageTime>& stages = frame.statistics.stages;
@@ -70,20 +70,19 @@ QString paths_text(const Frame& frame) {
   if (traced == stages.end()) return {};
   const RenderRequest* request = frame.request.get();
   return request && request->denoise != Denoising::none
-             ? frame_words("%1 paths, denoised")
+             ? frame_words("%1 path(s), denoised", request->paths)
                    .arg(count_text(static_cast<std::uint64_t>(request->paths)))
-             : QString("1 path");
+             : frame_words("%1 path(s)", 1).arg(1);
 }
 
 QString scattering_text(const Frame& frame) {
   if (const QString paths = paths_text(frame); !paths.isEmpty()) {
-    return QString("all orders, %1").arg(paths);
+    return frame_words("all orders, %1").arg(paths);
   }
   const std::optional<Convergence>& solved = frame.statistics.scattering;
-  if (!solved) return "once";
-  return QString("all orders, converged to %1 in %2 sweeps")
-      .arg(percent_text(solved->residual))
-      .arg(solved->sweeps);
+  if (!solved) return frame_words("once");
+  return frame_words("all orders, converged to %1 in %n sweep(s)", solved->sweeps)
+      .arg(percent_text(solved->residual));
 }
 
 QString bound_text(double share) {

@@ -6,6 +6,7 @@
 #include <QScreen>
 #include <QSettings>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/document/number_text.h"
@@ -18,6 +19,47 @@ constexpr const char* unit_key = "display/length_unit";
 constexpr const char* colors_key = "display/color_numbers";
 constexpr const char* handles_key = "display/handle_scale";
 constexpr double max_handle_scale = 3.0;
+constexpr const char* language_key = "interface/language";
+constexpr const char* scale_key = "interface/scale";
+constexpr const char* undo_key = "interface/undo_limit";
+constexpr const char* frames_key = "interface/frame_memory_mb";
+constexpr int default_frame_memory = 512;
+
+// In the order of the enumeration.
+constexpr std::array languages{"", "en", "de"};
+
+Language language_of(const QString& code) {
+  const auto* found = std::ranges::find(languages, code);
+  return found == languages.end() ? Language::system
+                                  : static_cast<Language>(found - languages.begin());
+}
+
+// Values that are not numbers, or not finite, are 0.
+double number_of(const QVariant& value) {
+  const double number = value.toDouble();
+  return std::isfinite(number) ? number : 0.0;
+}
+
+double clamped_scale(double scale) {
+  return scale == 0.0 ? 0.0
+                      : std::clamp(scale, InterfaceSettings::min_interface_scale,
+                                   InterfaceSettings::max_interface_scale);
+}
+
+int clamped(double value, int low, int high) {
+  return static_cast<int>(std::clamp(value, static_cast<double>(low), static_cast<double>(high)));
+}
+
+int clamped_undo_limit(double steps) {
+  return steps == 0.0
+             ? 0
+             : clamped(steps, InterfaceSettings::min_undo_limit, InterfaceSettings::max_undo_limit);
+}
+
+int clamped_frame_memory(double megabytes) {
+  return clamped(megabytes, InterfaceSettings::min_frame_memory,
+                 InterfaceSettings::max_frame_memory);
+}
 
 }  // namespace
 
@@ -38,7 +80,35 @@ void InterfaceSettings::load() {
       settings.value(colors_key) == "linear" ? ColorNumbers::linear : ColorNumbers::srgb;
   const double scale = settings.value(handles_key).toDouble();
   chosen_handle_scale_ = scale >= 1.0 && scale <= max_handle_scale ? scale : 0.0;
+  language_ = language_of(settings.value(language_key).toString());
+  interface_scale_ = clamped_scale(number_of(settings.value(scale_key)));
+  undo_limit_ = clamped_undo_limit(number_of(settings.value(undo_key)));
+  frame_memory_ = clamped_frame_memory(number_of(settings.value(frames_key, default_frame_memory)));
   update_handle_scale();
+  Q_EMIT changed();
+}
+
+void InterfaceSettings::set_language(Language language) {
+  language_ = language;
+  QSettings().setValue(language_key, languages.at(static_cast<std::size_t>(language)));
+  Q_EMIT changed();
+}
+
+void InterfaceSettings::set_interface_scale(double scale) {
+  interface_scale_ = clamped_scale(scale);
+  QSettings().setValue(scale_key, interface_scale_);
+  Q_EMIT changed();
+}
+
+void InterfaceSettings::set_undo_limit(int steps) {
+  undo_limit_ = clamped_undo_limit(steps);
+  QSettings().setValue(undo_key, undo_limit_);
+  Q_EMIT changed();
+}
+
+void InterfaceSettings::set_frame_memory(int megabytes) {
+  frame_memory_ = clamped_frame_memory(megabytes);
+  QSettings().setValue(frames_key, frame_memory_);
   Q_EMIT changed();
 }
 

@@ -8,8 +8,11 @@ class QScreen;
 
 namespace brume {
 
-// How all scenes are shown, by the user's choice; kept for later sessions. Nothing of it changes a
-// scene.
+// Languages of the interface; `system`: that of the desktop where there is a translation.
+enum class Language { system, english, german };
+
+// How the editor looks and works, by the user's choice; kept for later sessions. Nothing of it
+// changes a scene.
 class InterfaceSettings : public QObject {
   Q_OBJECT
  public:
@@ -31,6 +34,26 @@ class InterfaceSettings : public QObject {
   void set_handle_scale(double scale);
   [[nodiscard]] double handle_scale() const { return handle_scale_; }
 
+  // From the next start on: the language, and the scale of letters and widgets (0: by the screen).
+  [[nodiscard]] Language language() const { return language_; }
+  void set_language(Language language);
+  static constexpr double min_interface_scale = 0.5;
+  static constexpr double max_interface_scale = 3.0;
+  [[nodiscard]] double interface_scale() const { return interface_scale_; }
+  void set_interface_scale(double scale);
+
+  // How many steps can be undone; 0: all.
+  static constexpr int min_undo_limit = 10;
+  static constexpr int max_undo_limit = 100'000;
+  [[nodiscard]] int undo_limit() const { return undo_limit_; }
+  void set_undo_limit(int steps);
+
+  // Memory for the frames of an animation that have been played [MB].
+  static constexpr int min_frame_memory = 16;
+  static constexpr int max_frame_memory = 65'536;
+  [[nodiscard]] int frame_memory() const { return frame_memory_; }
+  void set_frame_memory(int megabytes);
+
  Q_SIGNALS:
   void changed();
 
@@ -42,6 +65,10 @@ class InterfaceSettings : public QObject {
   ColorNumbers color_numbers_ = ColorNumbers::srgb;
   double chosen_handle_scale_ = 0.0;
   double handle_scale_ = 1.0;
+  Language language_ = Language::system;
+  double interface_scale_ = 0.0;
+  int undo_limit_ = 0;
+  int frame_memory_ = 512;
 };
 
 // For a screen whose density the window system does not scale for itself: 1 to 3, in quarters.

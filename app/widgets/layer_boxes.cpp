@@ -55,7 +55,7 @@ constexpr std::array texts{
     LayerText{"layer_normal", QT_TRANSLATE_NOOP("layers", "Normal"),
               QT_TRANSLATE_NOOP("layers", "Of surfaces, in the world")},
     LayerText{"layer_albedo", QT_TRANSLATE_NOOP("layers", "Albedo"),
-              QT_TRANSLATE_NOOP("layers", "The color of surfaces, without light")},
+              QT_TRANSLATE_NOOP("layers", "The colour of surfaces, without light")},
     LayerText{"layer_position", QT_TRANSLATE_NOOP("layers", "Position"),
               QT_TRANSLATE_NOOP("layers", "Of surfaces, in the world")},
     LayerText{"layer_motion", QT_TRANSLATE_NOOP("layers", "Motion"),

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/document/gaussian_attribute.h"
+#include "app/document/words.h"
 #include "app/widgets/number_field.h"
 #include "core/math/rounded.h"
 
@@ -39,7 +40,7 @@ ValueField::ValueField(const QString& title, const NumberDomain& domain, Scale s
     if (domain_.contains(value)) {
       Q_EMIT edited(value, no_merge);
     } else {
-      Q_EMIT refused(tr("%1 must be %2.").arg(title_, domain_.allowed));
+      Q_EMIT refused(tr("%1 must be %2.").arg(title_, allowed_text(domain_)));
     }
   });
   connect(field_, &NumberField::adjusted, this, &ValueField::adjusted);
@@ -51,7 +52,7 @@ ValueField::ValueField(const QString& title, const NumberDomain& domain, Scale s
 }
 
 QString ValueField::range() const {
-  return tr("Allowed: %1").arg(domain_.allowed);
+  return tr("Allowed: %1").arg(allowed_text(domain_));
 }
 
 QLabel* ValueField::detach_title() {

@@ -27,6 +27,7 @@ class ValueField : public QWidget {
 
   // Releases the title label for placement in a form.
   [[nodiscard]] QLabel* detach_title();
+  [[nodiscard]] const QString& title() const { return title_; }
   [[nodiscard]] QString range() const;  // "Allowed: a number >= 0"
 
   void show_value(std::optional<double> value);  // nullopt: nothing there

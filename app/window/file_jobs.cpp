@@ -139,7 +139,7 @@ void FileJobs::export_medium() {
 }
 
 void FileJobs::gather() {
-  QFileDialog dialog(window_, tr("Gather into a new folder"),
+  QFileDialog dialog(window_, tr("Gather into a New Folder"),
                      last_folder(FileKind::gather, work_.document.folder()));
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setLabelText(QFileDialog::FileName, tr("Folder"));

@@ -75,7 +75,7 @@ FrameOutput::FrameOutput(const Workspace& work, FileJobs& jobs, QMainWindow& win
   });
   connect(&exporter, &FrameExport::cancelled, this, [this](int written) {
     work_.show_status(written == 0 ? tr("Export cancelled")
-                                   : tr("Export cancelled after %1 files").arg(written));
+                                   : tr("Export cancelled after %n file(s)", nullptr, written));
   });
   connect(&exporter, &FrameExport::failed, &work_.messages, &MessageBar::show_error);
   connect(queue_, &RenderQueue::refused, &work_.messages, &MessageBar::show_error);

@@ -78,7 +78,10 @@ MainWindow::MainWindow(QWidget* parent)
       tools_(new ToolBox(
           document_, *viewport_, [this](Tool* tool) { views_->set_tool(tool); }, this)),
       timeline_(new Timeline(this)) {
-  InterfaceSettings::instance().load();
+  auto& settings = InterfaceSettings::instance();
+  const auto limit_undo = [this, &settings] { document_.set_undo_limit(settings.undo_limit()); };
+  connect(&settings, &InterfaceSettings::changed, this, limit_undo);
+  settings.load();
   lay_out_center();
   const Workspace work = workspace();
   show_file_messages(work);

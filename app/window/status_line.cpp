@@ -73,7 +73,7 @@ void StatusLine::hide_scene(bool hidden) {
 void StatusLine::update_numbers() {
   const std::size_t count = work_.document.medium().size();
   const std::size_t selected = work_.document.selection().size();
-  QString text = count == 1 ? tr("1 Gaussian") : tr("%1 Gaussians").arg(count_text(count));
+  QString text = tr("%1 Gaussian(s)", nullptr, static_cast<int>(count)).arg(count_text(count));
   if (selected > 0) text += tr(", %1 selected").arg(count_text(selected));
   if (const RenderedFrame* frame = work_.views.active().frames().shown()) {
     const bool gl = frame->frame.statistics.backend == "gl";

@@ -353,8 +353,8 @@ class AnimationTest : public QObject {
     QCOMPARE(step_count(document), 1);
     const std::size_t sprayed = document.medium().size() - 5;
     QVERIFY2(sprayed > 3, qPrintable(QString::number(sprayed)));
-    QCOMPARE(last_step(document),
-             sprayed == 1 ? QString("Spray Gaussian") : QString("Spray %1 Gaussians").arg(sprayed));
+    QCOMPARE(last_step(document), sprayed == 1 ? QString("Spray 1 Gaussian")
+                                               : QString("Spray %1 Gaussians").arg(sprayed));
     const Scene after = document.scene();
     QTest::qWait(200);  // it has stopped
     QVERIFY(document.scene() == after);

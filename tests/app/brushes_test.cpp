@@ -16,6 +16,7 @@
 #include "app/tools/brush_library.h"
 #include "app/tools/paintbrush_tool.h"
 #include "app/tools/tool_box.h"
+#include "app/widgets/mnemonics.h"
 #include "brume/error.h"
 #include "tests/app/desk.h"
 
@@ -82,7 +83,7 @@ QMenu& open_presets(BrushDesk& desk, const char* name) {
 
 QAction* entry(const QMenu& menu, const QString& text) {
   for (QAction* action : menu.actions()) {
-    if (action->text() == text) return action;
+    if (without_mnemonic(action->text()) == text) return action;
   }
   return nullptr;
 }

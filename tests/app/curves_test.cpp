@@ -14,6 +14,7 @@
 #include "app/panels/time/curve_panel.h"
 #include "app/panels/time/dope_sheet.h"
 #include "app/panels/time/time_ruler.h"
+#include "app/widgets/mnemonics.h"
 #include "tests/app/desk.h"
 #include "tests/app/test_window.h"
 
@@ -63,7 +64,7 @@ class Curves {
   void choose(QPoint at, const QString& text) {
     int chosen = 0;
     with_menu(at, [&](QAction& action) {
-      if (action.text() != text) return;
+      if (without_mnemonic(action.text()) != text) return;
       ++chosen;
       action.trigger();
     });
@@ -71,13 +72,13 @@ class Curves {
   }
   QStringList menu_texts(QPoint at) {
     QStringList texts;
-    with_menu(at, [&](const QAction& action) { texts << action.text(); });
+    with_menu(at, [&](const QAction& action) { texts << without_mnemonic(action.text()); });
     return texts;
   }
   QStringList checked(QPoint at) {
     QStringList texts;
     with_menu(at, [&](const QAction& action) {
-      if (action.isChecked()) texts << action.text();
+      if (action.isChecked()) texts << without_mnemonic(action.text());
     });
     return texts;
   }
@@ -312,14 +313,14 @@ class CurvesTest : public QObject {
     const Scene before = document.scene();
     QTest::mouseClick(&curves.editor(), Qt::LeftButton, {}, curves.at(1.0, 10.0));
     QTest::mouseClick(&curves.editor(), Qt::LeftButton, Qt::ShiftModifier, curves.at(3.0, 30.0));
-    curves.choose(curves.at(3.0, 30.0), "Same &Value");
+    curves.choose(curves.at(3.0, 30.0), "Same Value");
     QCOMPARE(curves.keys()[0].value, glm::dvec3(30.0, 20.0, 40.0));
     QCOMPARE(curves.keys()[1].value, glm::dvec3(30.0, 25.0, 60.0));
     QCOMPARE(step_count(document), 1);
     document.undo_stack().undo();
     QVERIFY(document.scene() == before);
     curves.desk.timeline().set_frame(60);
-    curves.choose(curves.at(1.0, 40.0), "Align to &Playhead");  // that key alone
+    curves.choose(curves.at(1.0, 40.0), "Align to Playhead");  // that key alone
     QCOMPARE(curves.keys()[0].time, 2.0);
     QCOMPARE(curves.keys()[0].value, glm::dvec3(10.0, 20.0, 40.0));
     QCOMPARE(curves.keys().size(), 2u);
@@ -395,30 +396,30 @@ class CurvesTest : public QObject {
     const Scene before = document.scene();
     const auto first = [&]() -> const Key<glm::dvec3>& { return curves.keys()[0]; };
     const QPoint at = curves.at(1.0, 10.0);
-    curves.choose(at, "&Constant");
+    curves.choose(at, "Constant");
     QCOMPARE(first().interpolation, Interpolation::constant);
     QCOMPARE(curves.editor().curves()[0].at(2.9), 10.0);
     QVERIFY(curves.editor().handles().empty());
-    curves.choose(at, "&Linear");
+    curves.choose(at, "Linear");
     QCOMPARE(first().interpolation, Interpolation::linear);
     QCOMPARE(curves.editor().curves()[0].at(2.0), 20.0);
-    curves.choose(at, "&Free Tangents");
+    curves.choose(at, "Free Tangents");
     QCOMPARE(first().interpolation, Interpolation::smooth);
     QVERIFY(first().out == glm::dvec3(0.0) && !first().aligned);
-    QCOMPARE(curves.checked(at), (QStringList{"&Smooth", "&Free Tangents"}));
+    QCOMPARE(curves.checked(at), (QStringList{"Smooth", "Free Tangents"}));
     // A free one is moved alone.
     curves.drag(curves.editor().handles()[0].tip.toPoint(), curves.at(1.5, 30.0));
     QVERIFY(first().out->x > 30.0 && first().in == glm::dvec3(0.0));
     const double out = first().out->x;
-    curves.choose(at, "Ali&gned Tangents");
+    curves.choose(at, "Aligned Tangents");
     QVERIFY(first().aligned && first().in == first().out);
     QCOMPARE(first().out->x, 0.5 * out);
-    curves.choose(at, "Automatic &Tangents");
+    curves.choose(at, "Automatic Tangents");
     QVERIFY(document.scene() == before);
     QCOMPARE(last_step(document), "Make tangents of light 1 intensity automatic");
     // Acts on all that are selected.
     QTest::keyClick(&curves.editor(), Qt::Key_A, Qt::ControlModifier);
-    curves.choose(at, "Ali&gned Tangents");
+    curves.choose(at, "Aligned Tangents");
     QVERIFY(curves.keys()[0].aligned && curves.keys()[1].aligned);
     curves.editor().grab();
     QVERIFY(is_undone(document, before));
@@ -448,7 +449,7 @@ class CurvesTest : public QObject {
     QVERIFY(std::abs(keys()[1].time - 1.0) < 0.07);
     QCOMPARE(keys()[1].value, value);
     QVERIFY(curves.editor().handles().empty());
-    QVERIFY(!curves.menu_texts(curves.at(0.0, 0.0)).contains("&Free Tangents"));
+    QVERIFY(!curves.menu_texts(curves.at(0.0, 0.0)).contains("Free Tangents"));
     document.undo_stack().undo();
     QVERIFY(document.scene() == before);
   }

@@ -70,7 +70,7 @@ class DocumentTest : public QObject {
     put({7, 7, 7}, new_merge_id());
     put({8, 8, 8}, new_merge_id());
     QCOMPARE(step_count(document), 3);
-    QCOMPARE(document.undo_stack().text(2), "Move Gaussian");
+    QCOMPARE(document.undo_stack().text(2), "Move 1 Gaussian");
   }
 
   void a_change_to_the_same_value_is_no_step() {

@@ -110,7 +110,7 @@ class FieldsTest : public QObject {
       leave();
       QCOMPARE(document.medium().radii()[0], value);
       QCOMPARE(document.undo_stack().text(steps),
-               QString("Set radius of Gaussian to %1").arg(value));
+               QString("Set radius of 1 Gaussian to %1").arg(value));
       QVERIFY(!radius.hasFocus());
     }
     // Saved with it.

@@ -308,7 +308,7 @@ class InspectorTest : public QObject {
     // Typed into a cell, an albedo is grey.
     document.select({2});
     QVERIFY(table->model()->setData(table->model()->index(1, 5), "0.25"));
-    QCOMPARE(last_step(document), "Set albedo of Gaussian to 0.25");
+    QCOMPARE(last_step(document), "Set albedo of 1 Gaussian to 0.25");
     QVERIFY(!table->model()->setData(table->model()->index(1, 5), "1.5"));
     QVERIFY(!table->model()->setData(table->model()->index(1, 5), "0"));
     QCOMPARE(document.medium().optics(1).albedo, std::optional(glm::dvec3(0.25)));

@@ -162,7 +162,7 @@ class KeysTest : public QObject {
     set_key_at(desk, 0, "Light 1 intensity");
     set_key_at(desk, 60, "Light 1 intensity");
     DopeSheet& keys = sheet_of(desk);
-    QVERIFY(choose_from_menu(keys, keys.position(1, 0), "&Linear"));
+    QVERIFY(choose_from_menu(keys, keys.position(1, 0), "Linear"));
     QCOMPARE(keyed_light(desk).keys.intensity[0].interpolation, Interpolation::linear);
     QCOMPARE(last_step(desk.document()), "Make keyframe of light 1 intensity linear");
     // Later keyframes go on like this.

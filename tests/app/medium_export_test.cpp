@@ -289,7 +289,7 @@ class MediumExportTest : public QObject {
 
   void the_menu_offers_the_exposure_of_the_view() {
     TestWindow window;
-    for (const char* name : {"Exposure &Up", "Export Me"}) trigger(window, name);
+    for (const char* name : {"Exposure Up", "Export Me"}) trigger(window, name);
     auto* dialog = shown<MediumDialog>(window);
     QVERIFY(dialog);
     QCOMPARE(dialog->findChild<QLineEdit*>("medium_exposure")->text(), "0.5");

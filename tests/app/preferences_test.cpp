@@ -13,6 +13,7 @@
 #include <QSpinBox>
 #include <QTreeWidget>
 
+#include "app/commands/operation_numbers.h"
 #include "app/document/autosave.h"
 #include "app/view/overlay.h"
 #include "app/viewport/viewport.h"
@@ -250,6 +251,89 @@ class PreferencesTest : public QObject {
     Q_EMIT menu->aboutToShow();
     QVERIFY(menu->actions().front()->text() != "Paint && look");
     QVERIFY(QSettings().value("window/layouts").toMap().isEmpty());
+  }
+
+  void limits_apply_and_last() {
+    {
+      PreferencesWindow window;
+      auto& steps = window.part<QSpinBox>("undo_limit");
+      QCOMPARE(steps.text(), "all");
+      steps.setFocus();
+      steps.selectAll();
+      QTest::keyClicks(&steps, "12");
+      window.part<QSpinBox>("frame_memory").setValue(64);
+      window.document().create();
+      QCOMPARE(window.document().undo_stack().undoLimit(), 12);
+      for (int k = 0; k < 20; ++k) window.document().undo_stack().push(new QUndoCommand("step"));
+      QCOMPARE(window.document().undo_stack().count(), 12);
+    }
+    PreferencesWindow later;
+    QCOMPARE(later.part<QSpinBox>("undo_limit").value(), 12);
+    QCOMPARE(later.part<QSpinBox>("frame_memory").value(), 64);
+  }
+
+  void operations_are_adjusted_with_a_full_history() {
+    PreferencesWindow window;
+    window.part<QSpinBox>("undo_limit").setValue(10);
+    Document& document = window.document();
+    document.create();
+    for (int k = 0; k < 12; ++k) document.undo_stack().push(new QUndoCommand("step"));
+    invoke(*window, "fog.haze");
+    QVERIFY(document.last_operation().operation());
+    QCOMPARE(last_step(document), "Add haze");
+    const double density = document.medium().homogeneous_density();
+    std::any numbers = document.last_operation().operation()->numbers;
+    std::any_cast<EvenFog&>(numbers).density *= 2.0;
+    document.last_operation().adjust(numbers);
+    QCOMPARE(document.undo_stack().count(), 10);
+    QVERIFY(document.medium().homogeneous_density() > 1.5 * density);
+    document.undo_stack().undo();
+    QCOMPARE(document.medium().homogeneous_density(), 0.0);
+  }
+
+  void language_and_scale_are_kept_for_the_next_start() {
+    {
+      PreferencesWindow window;
+      for (const char* name : {"language", "interface_scale"}) {
+        auto& box = window.part<QComboBox>(name);
+        QCOMPARE(box.currentIndex(), 0);
+        box.setFocus();
+        QTest::keyClick(&box, Qt::Key_Down);
+      }
+    }
+    InterfaceSettings& settings = InterfaceSettings::instance();
+    settings.load();
+    QCOMPARE(settings.language(), Language::english);
+    QCOMPARE(settings.interface_scale(), 0.75);
+    prepare_application();
+    QCOMPARE(qgetenv("QT_SCALE_FACTOR"), "0.75");
+    qunsetenv("QT_SCALE_FACTOR");
+  }
+
+  void bad_settings_are_the_nearest_good_ones() {
+    InterfaceSettings& settings = InterfaceSettings::instance();
+    const auto read = [&](const char* key, const QVariant& value) {
+      QSettings().setValue(QString("interface/") + key, value);
+      settings.load();
+    };
+    for (const auto& [value, scale] : {std::pair<QVariant, double>("nan", 0.0),
+                                       {"1e300", 3.0},
+                                       {"-5", 0.5},
+                                       {"large", 0.0},
+                                       {0.1, 0.5}}) {
+      read("scale", value);
+      QCOMPARE(settings.interface_scale(), scale);
+    }
+    read("language", "tlh");
+    QCOMPARE(settings.language(), Language::system);
+    read("undo_limit", "-7");
+    QCOMPARE(settings.undo_limit(), InterfaceSettings::min_undo_limit);
+    read("undo_limit", "9e99");
+    QCOMPARE(settings.undo_limit(), InterfaceSettings::max_undo_limit);
+    read("frame_memory_mb", "inf");
+    QCOMPARE(settings.frame_memory(), InterfaceSettings::min_frame_memory);
+    QSettings().clear();
+    settings.load();
   }
 
   void handles_can_be_hidden() {

@@ -59,7 +59,7 @@ class SelectionTest : public QObject {
     TestWindow window;
     Document& document = window->document();
     window.click(window.handle(2));
-    QCOMPARE(last_step(document), "Select Gaussian");
+    QCOMPARE(last_step(document), "Select 1 Gaussian");
     QVERIFY(!document.is_modified() && !window->isWindowModified());
     window.key(Qt::Key_A, Qt::ControlModifier);
     QCOMPARE(document.selection().size(), 5u);

@@ -93,7 +93,7 @@ class SimplifyTest : public QObject {
     document.hide({ids.begin(), ids.begin() + 40});
     QTRY_COMPARE(count->text(), "Merges all 261 Gaussians");
     add_gaussian(document, {{0, 1, 0}, 0.1, 1.0});
-    QTRY_COMPARE(count->text(), "Merges Gaussian, selected");
+    QTRY_COMPARE(count->text(), "Merges 1 Gaussian, selected");
     document.select({});
     QTRY_COMPARE(count->text(), "Merges all 262 Gaussians");
   }

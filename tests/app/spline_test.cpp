@@ -65,7 +65,7 @@ class SplineTest : public QObject {
     enter(desk, "move_soft", "0");
     desk.drag(pivot + QPoint(0, 9), pivot + QPoint(0, 69));
     QCOMPARE(moved(1), 0.0);
-    QCOMPARE(last_step(document), "Move Gaussian");
+    QCOMPARE(last_step(document), "Move 1 Gaussian");
   }
 
   void moves_snap_to_a_grid() {

@@ -17,6 +17,7 @@
 #include "app/view/surface_picker.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/application.h"
+#include "app/widgets/mnemonics.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
 #include "core/io/scene/scene_file.h"
@@ -242,7 +243,7 @@ void invoke(QWidget& window, const char* action) {
 
 void trigger(QWidget& window, const QString& text) {
   for (QAction* action : window.findChildren<QAction*>()) {
-    if (action->text().contains(text)) return action->trigger();
+    if (without_mnemonic(action->text()).contains(text)) return action->trigger();
   }
   QFAIL(qPrintable(text));
 }
@@ -256,7 +257,8 @@ bool choose_from_menu(QWidget& widget, QPoint place, const QString& text) {
   for (const QString& part : text.split('/')) {
     if (!shown) break;
     const auto actions = shown->actions();
-    const auto found = std::ranges::find(actions, part, &QAction::text);
+    const auto found = std::ranges::find(
+        actions, part, [](const QAction* action) { return without_mnemonic(action->text()); });
     shown = found == actions.end() ? nullptr : (*found)->menu();
     if (found == actions.end() || shown) continue;
     is_chosen = (*found)->isEnabled();

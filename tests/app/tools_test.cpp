@@ -268,7 +268,7 @@ class ToolsTest : public QObject {
     window.key(Qt::Key_E);
     const QPoint at = window.handle(1);
     window.click(at);
-    QCOMPARE(last_step(document), "Erase Gaussian");
+    QCOMPARE(last_step(document), "Erase 1 Gaussian");
     QVERIFY(document.medium().densities()[1] < 0.8 && document.medium().densities()[1] > 0.3);
     QCOMPARE(document.medium().densities()[0], 0.8);
     window.drag(at - QPoint(60, 0), at + QPoint(60, 0));

@@ -85,7 +85,7 @@ class ViewportTest : public QObject {
     // It is a rectangle, as from anywhere else.
     QCOMPARE(document.selection(), std::vector<GaussianId>{2});
     desk.drag(desk.handle(1), desk.handle(1) + QPoint(40, 25));
-    QCOMPARE(last_step(document), "Move Gaussian");
+    QCOMPARE(last_step(document), "Move 1 Gaussian");
     // With Shift it adds what is inside.
     desk.drag(desk.handle(0) - aside, desk.handle(3) + 3 * aside, Qt::LeftButton,
               Qt::ShiftModifier);

@@ -136,7 +136,7 @@ class ViewsTest : public QObject {
       QTest::mouseClick(&view, Qt::LeftButton, {}, from);
       QCOMPARE(document.selection(), std::vector<GaussianId>{3});
       drag_mouse(view, from, from + QPoint(20, -15));
-      QCOMPARE(last_step(document), "Move Gaussian");
+      QCOMPARE(last_step(document), "Move 1 Gaussian");
       const glm::dvec3 way = document.medium().centers()[2] - start;
       QVERIFY(glm::length(way) > 0.05);
       QVERIFY(std::abs(way[fixed]) < 0.02 * glm::length(way));

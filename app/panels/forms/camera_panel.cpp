@@ -19,6 +19,7 @@
 #include "app/commands/edit_cameras.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
+#include "app/document/words.h"
 #include "app/panels/forms/plate_panel.h"
 #include "app/widgets/keys.h"
 #include "app/widgets/rows.h"
@@ -159,7 +160,7 @@ void CameraPanel::set_field(const Camera& camera, const FieldInfo& info, MergeId
     Q_EMIT refused(field_label(info) + ": " + why->message);
     return refresh();
   }
-  set_camera(camera, field_label(info).toLower(), gesture);
+  set_camera(camera, in_sentence(field_label(info)), gesture);
 }
 
 void CameraPanel::set_camera(const Camera& camera, const QString& what, MergeId gesture) {

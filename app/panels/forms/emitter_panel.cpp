@@ -10,6 +10,7 @@
 #include "app/commands/edit_objects.h"
 #include "app/document/document.h"
 #include "app/document/object_titles.h"
+#include "app/document/words.h"
 #include "app/widgets/emission_editor.h"
 #include "app/widgets/keys.h"
 #include "app/widgets/number_field.h"
@@ -139,7 +140,7 @@ void EmitterPanel::add_fields(QFormLayout& form) {
       .set =
           [this](const Emitter& changed, const FieldInfo& info, MergeId gesture) {
             change_emitter(document_, document_.active_emitter(),
-                           tr("Set %1 of %2").arg(field_label(info).toLower(), "%1"), gesture,
+                           tr("Set %1 of %2").arg(in_sentence(field_label(info)), "%1"), gesture,
                            [&changed](Emitter& e) { e = changed; });
           },
       .track =

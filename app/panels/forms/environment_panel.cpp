@@ -7,6 +7,7 @@
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
+#include "app/document/words.h"
 #include "app/files/file_dialogs.h"
 #include "app/panels/forms/environment_picture.h"
 #include "app/widgets/plain_text.h"
@@ -46,32 +47,33 @@ EnvironmentPanel::EnvironmentPanel(Document& document, QWidget* parent)
               .set =
                   [this](const Environment& environment, const FieldInfo& info, MergeId gesture) {
                     set_scene_part(document_, std::optional(environment),
-                                   tr("Set %1 of environment").arg(field_label(info).toLower()),
+                                   tr("Set %1 of environment").arg(in_sentence(field_label(info))),
                                    gesture);
                   },
               .track =
                   [](const Scene& scene, const FieldInfo& info) {
                     return value_track<std::optional<Environment>>(scene, info.name);
                   }});
-  add_fields<Sky>(
-      *form, {.prefix = "sky_",
-              .get =
-                  [this] {
-                    const auto& environment = document_.scene().environment;
-                    return environment && environment->sky ? &*environment->sky : nullptr;
-                  },
-              .set =
-                  [this](const Sky& sky, const FieldInfo& info, MergeId gesture) {
-                    Environment changed = *document_.scene().environment;
-                    changed.sky = sky;
-                    set_scene_part(document_, std::optional(std::move(changed)),
-                                   tr("Set %1 of sky").arg(field_label(info).toLower()), gesture);
-                  },
-              .track =
-                  [](const Scene& scene, const FieldInfo& info) {
-                    constexpr std::size_t sky = 1;
-                    return value_track<std::optional<Environment>>(scene, info.name, sky);
-                  }});
+  add_fields<Sky>(*form,
+                  {.prefix = "sky_",
+                   .get =
+                       [this] {
+                         const auto& environment = document_.scene().environment;
+                         return environment && environment->sky ? &*environment->sky : nullptr;
+                       },
+                   .set =
+                       [this](const Sky& sky, const FieldInfo& info, MergeId gesture) {
+                         Environment changed = *document_.scene().environment;
+                         changed.sky = sky;
+                         set_scene_part(document_, std::optional(std::move(changed)),
+                                        tr("Set %1 of sky").arg(in_sentence(field_label(info))),
+                                        gesture);
+                       },
+                   .track =
+                       [](const Scene& scene, const FieldInfo& info) {
+                         constexpr std::size_t sky = 1;
+                         return value_track<std::optional<Environment>>(scene, info.name, sky);
+                       }});
   on_change(document_, Change::scene, &reading_, &BackgroundJob::cancel);
   connect(&reading_, &BackgroundJob::failed, this, [this](const QString& problem) {
     show_picture();
@@ -111,7 +113,7 @@ void EnvironmentPanel::add_file(QFormLayout& form) {
 
 void EnvironmentPanel::choose() {
   const std::filesystem::path file =
-      ask_for_file(this, FileKind::environment, tr("Choose an environment"),
+      ask_for_file(this, FileKind::environment, tr("Choose an Environment"),
                    tr("Radiance maps (*.exr *.hdr);;All files (*)"), document_.folder());
   if (!file.empty()) load(to_qstring(file));
 }

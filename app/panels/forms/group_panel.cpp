@@ -8,6 +8,7 @@
 
 #include "app/commands/edit_groups.h"
 #include "app/document/document.h"
+#include "app/document/words.h"
 #include "app/widgets/rows.h"
 #include "core/scene/fields/group_fields.h"
 
@@ -37,7 +38,7 @@ GroupPanel::GroupPanel(Document& document, QWidget* parent)
       .get = [this] { return document_.active_group(); },
       .set =
           [this](const Group& changed, const FieldInfo& info, MergeId gesture) {
-            change(tr("Set %1 of %2").arg(field_label(info).toLower(), "%1"), gesture,
+            change(tr("Set %1 of %2").arg(in_sentence(field_label(info)), "%1"), gesture,
                    [&](Group& group) { group = changed; });
           },
       .track =

@@ -21,6 +21,7 @@
 #include "app/document/number_text.h"
 #include "app/document/object_titles.h"
 #include "app/document/paths.h"
+#include "app/document/words.h"
 #include "app/files/file_dialogs.h"
 #include "app/panels/forms/environment_panel.h"
 #include "app/panels/forms/key_button.h"
@@ -206,7 +207,7 @@ void LightPanel::add_strength_field(QFormLayout& form) {
     const Light shown = light() ? *light() : Light();
     const FieldInfo& info = strength_info(shown);
     title->setText(field_label(info) + ", " + light_unit(shown));
-    title->setToolTip(info.says);
+    title->setToolTip(fields_text(info.says));
   });
 }
 
@@ -240,12 +241,12 @@ void LightPanel::set_value(Light changed, const FieldInfo& info, MergeId gesture
   }
   if (refusal(changed)) return refresh();
   change_light(document_, document_.active_light(),
-               tr("Set %1 of %2").arg(field_label(info).toLower(), "%1"), gesture,
+               tr("Set %1 of %2").arg(in_sentence(field_label(info)), "%1"), gesture,
                [&changed](Light& l) { l = std::move(changed); });
 }
 
 void LightPanel::add_file_field(QFormLayout& form, const LightFile& file) {
-  const QString title = file.label.toLower();
+  const QString title = in_sentence(file.label);
   const QString object = QString(file.name);
   auto* name = new PlainLabel(this);
   name->setObjectName("light_" + object);
@@ -284,7 +285,7 @@ void LightPanel::add_profile_field(QFormLayout& form) {
                  },
              .ask =
                  [this] {
-                   return ask_for_file(this, FileKind::profile, tr("Choose a photometric profile"),
+                   return ask_for_file(this, FileKind::profile, tr("Choose a Photometric Profile"),
                                        tr("Photometric profiles (*.ies);;All files (*)"),
                                        document_.folder());
                  },
@@ -309,7 +310,7 @@ void LightPanel::add_texture_field(QFormLayout& form) {
                         .ask =
                             [this] {
                               return ask_for_file(
-                                  this, FileKind::texture, tr("Choose a picture"),
+                                  this, FileKind::texture, tr("Choose a Picture"),
                                   tr("Pictures (*.png *.jpg *.jpeg);;All files (*)"),
                                   document_.folder());
                             },

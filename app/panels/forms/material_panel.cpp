@@ -9,6 +9,7 @@
 #include "app/document/document.h"
 #include "app/document/euler_angles.h"
 #include "app/document/object_titles.h"
+#include "app/document/words.h"
 #include "app/files/file_dialogs.h"
 #include "app/panels/forms/metallic_roughness_form.h"
 #include "app/widgets/rows.h"
@@ -250,7 +251,7 @@ void MaterialPanel::add_copies_fields(QFormLayout& form) {
              .set =
                  [this](const Scatter& changed, const FieldInfo& info, MergeId gesture) {
                    change_shown(
-                       tr("Set %1 of the copies of %2").arg(field_label(info).toLower(), "%1"),
+                       tr("Set %1 of the copies of %2").arg(in_sentence(field_label(info)), "%1"),
                        gesture, [&](Surface& s) { s.copies->scatter = changed; });
                  },
              .track = {},
@@ -309,7 +310,7 @@ void MaterialPanel::choose_type(int index) {
     return;
   }
   const std::filesystem::path file =
-      ask_for_file(this, FileKind::material, tr("Choose a measured material"),
+      ask_for_file(this, FileKind::material, tr("Choose a Measured Material"),
                    tr("MERL materials (*.binary);;All files (*)"), document_.folder());
   refresh();  // until it is read, the type is what it was
   if (!file.empty()) load_measured(file);

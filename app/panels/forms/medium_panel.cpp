@@ -13,6 +13,7 @@
 #include "app/commands/edit_medium.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
+#include "app/document/words.h"
 #include "app/widgets/rows.h"
 #include "core/number_domain.h"
 #include "core/scene/fields/medium_fields.h"
@@ -34,7 +35,7 @@ struct MediumPreset {
 };
 constexpr std::array medium_presets{
     // Water haze L (Deirmendjian 1969; Garcia and Siewert 1985): g = 0.804. Water hardly absorbs.
-    MediumPreset{"water_fog", QT_TRANSLATE_NOOP("brume::MediumPanel", "Water fog"),
+    MediumPreset{"water_fog", QT_TRANSLATE_NOOP("brume::MediumPanel", "Water Fog"),
                  glm::dvec3(0.999), 0.8},
     // Mie theory for fresh drops, log-normal around a radius of 1 micrometre.
     MediumPreset{"steam", QT_TRANSLATE_NOOP("brume::MediumPanel", "Steam"), glm::dvec3(1.0), 0.75},
@@ -43,7 +44,7 @@ constexpr std::array medium_presets{
     MediumPreset{"dust", QT_TRANSLATE_NOOP("brume::MediumPanel", "Dust"),
                  glm::dvec3(0.95, 0.94, 0.92), 0.68},
     // Soot at 550 nm (Hess, Koepke, Schult 1998).
-    MediumPreset{"black_smoke", QT_TRANSLATE_NOOP("brume::MediumPanel", "Black smoke"),
+    MediumPreset{"black_smoke", QT_TRANSLATE_NOOP("brume::MediumPanel", "Black Smoke"),
                  glm::dvec3(0.21), 0.34},
 };
 
@@ -78,7 +79,7 @@ MediumPanel::MediumPanel(Document& document, Scattering scattering, QWidget* par
       .get = [optics] { return &optics(); },
       .set =
           [this](const MediumOptics& changed, const FieldInfo& info, MergeId gesture) {
-            set_scene_part(document_, changed, tr("Set %1").arg(field_label(info).toLower()),
+            set_scene_part(document_, changed, tr("Set %1").arg(in_sentence(field_label(info))),
                            gesture);
           },
       .track = [](const Scene& scene,
@@ -94,8 +95,8 @@ MediumPanel::MediumPanel(Document& document, Scattering scattering, QWidget* par
               .get = [optics] { return &optics().noise; },
               .set =
                   [this](const Noise& changed, const FieldInfo& info, MergeId gesture) {
-                    change_optics(tr("Set %1 of noise").arg(field_label(info).toLower()), gesture,
-                                  [&changed](MediumOptics& o) { o.noise = changed; });
+                    change_optics(tr("Set %1 of noise").arg(in_sentence(field_label(info))),
+                                  gesture, [&changed](MediumOptics& o) { o.noise = changed; });
                   },
               .track =
                   [](const Scene& scene, const FieldInfo& info) {
@@ -139,7 +140,7 @@ QPushButton* MediumPanel::new_presets() {
     QAction* action = menu->addAction(tr(preset.title));
     action->setObjectName(QString("preset_") + preset.name);
     connect(action, &QAction::triggered, this, [this, &preset] {
-      change_optics(tr("Set medium to %1").arg(tr(preset.title).toLower()), no_merge,
+      change_optics(tr("Set medium to %1").arg(in_sentence(tr(preset.title))), no_merge,
                     [&](MediumOptics& optics) {
                       optics.albedo = preset.albedo;
                       optics.anisotropy = preset.anisotropy;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "app/document/document.h"
+#include "app/document/words.h"
 #include "app/files/file_dialogs.h"
 #include "app/widgets/plain_text.h"
 #include "app/widgets/rows.h"
@@ -31,7 +32,7 @@ MetallicRoughnessForm::MetallicRoughnessForm(Document& document, std::function<M
   form->setContentsMargins(0, 0, 0, 0);
   add_values(*form);
   add_alpha(*form);
-  add_texture(*form, tr("Base color texture"), "base_color_texture",
+  add_texture(*form, tr("Base colour texture"), "base_color_texture",
               &MetallicRoughness::base_color_texture);
   add_texture(*form, tr("Roughness texture"), "metallic_roughness_texture",
               &MetallicRoughness::metallic_roughness_texture);
@@ -64,14 +65,14 @@ void MetallicRoughnessForm::add_values(QFormLayout& form) {
       .get = [this] { return material(); },
       .set =
           [this](const MetallicRoughness& changed, const FieldInfo& info, MergeId gesture) {
-            change(tr("Set %1 of %2").arg(field_label(info).toLower(), "%1"), gesture,
+            change(tr("Set %1 of %2").arg(in_sentence(field_label(info)), "%1"), gesture,
                    [&changed](MetallicRoughness& m) { m = changed; });
           },
       .track = {}};
-  add_color(form, tr("Base color"),
+  add_color(form, tr("Base colour"),
             {"base_color", [this] { return value_if(material(), &MetallicRoughness::base_color); },
              [this](const glm::dvec3& color, MergeId gesture) {
-               change(tr("Set base color of %1"), gesture,
+               change(tr("Set base colour of %1"), gesture,
                       [&color](MetallicRoughness& m) { m.base_color = color; });
              }});
   visit_fields<MetallicRoughness>([&](const auto& field) {
@@ -108,7 +109,7 @@ void MetallicRoughnessForm::add_texture(QFormLayout& form, const QString& title,
     const bool has_file = texture && !texture->file.empty();
     const QString file = has_file ? QString::fromStdString(texture->file.filename()) : QString();
     choose->setText(has_file ? QString(file).replace('&', "&&") : tr("Choose…"));
-    choose->setToolTip(!has_file           ? tr("PNG or JPEG; of colors also OpenEXR or HDR")
+    choose->setToolTip(!has_file           ? tr("PNG or JPEG; of colours also OpenEXR or HDR")
                        : !texture->content ? plain_tool_tip(tr("%1 is missing").arg(file))
                                            : plain_tool_tip(QString::fromStdString(texture->file)));
     remove->setEnabled(has_file);
@@ -121,7 +122,7 @@ void MetallicRoughnessForm::ask_for_texture(Slot slot) {
       has_colors(slot) ? tr("Images (*.png *.jpg *.jpeg *.tga *.bmp *.exr *.hdr);;All files (*)")
                        : tr("Images (*.png *.jpg *.jpeg *.tga *.bmp);;All files (*)");
   const std::filesystem::path file =
-      ask_for_file(this, FileKind::material, tr("Choose a texture"), filter, document_.folder());
+      ask_for_file(this, FileKind::material, tr("Choose a Texture"), filter, document_.folder());
   if (!file.empty()) load_texture(slot, file);
 }
 

@@ -130,7 +130,7 @@ void OutputPanel::browse() {
                             ? last_folder(FileKind::picture, document_.folder()) + "/render.png"
                             : to_qstring(output().file);
   const QString name = QFileDialog::getSaveFileName(
-      this, tr("Output file"), start, tr("Pictures and videos (*.png *.exr *.mp4);;All files (*)"),
+      this, tr("Output File"), start, tr("Pictures and videos (*.png *.exr *.mp4);;All files (*)"),
       nullptr, QFileDialog::DontConfirmOverwrite);
   if (name.isEmpty()) return;
   remember_folder(FileKind::picture, to_path(name));

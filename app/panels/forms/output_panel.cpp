@@ -18,6 +18,7 @@
 #include "app/files/picture_format.h"
 #include "app/widgets/layer_boxes.h"
 #include "app/widgets/method_box.h"
+#include "app/widgets/mnemonics.h"
 #include "app/widgets/plain_text.h"
 #include "app/widgets/rows.h"
 #include "brume/limits.h"
@@ -262,7 +263,7 @@ void OutputPanel::add_exposure(QFormLayout& form) {
 void OutputPanel::add_buttons(QFormLayout& form, QAction* render, QAction* render_animation) {
   auto* row = new QHBoxLayout;
   for (QAction* action : {render, render_animation}) {
-    auto* button = named(new QPushButton(action->text().remove('&'), this),
+    auto* button = named(new QPushButton(without_mnemonic(action->text()), this),
                          action->objectName() + "_button", action->toolTip());
     connect(button, &QPushButton::clicked, action, &QAction::trigger);
     row->addWidget(button);

@@ -43,7 +43,7 @@ void OutputPanel::add_samples(QFormLayout& form) {
               [set](double value, MergeId gesture) {
                 set(static_cast<int>(std::lround(value)), gesture);
               }})
-      ->setToolTip(tr("Of pixels at edges, filtered; 1 takes the centers of all pixels. Where the "
+      ->setToolTip(tr("Of pixels at edges, filtered; 1 takes the centres of all pixels. Where the "
                       "lens or the shutter blurs, as many whole frames are rendered"));
   on_refresh([this, chosen] { chosen->setChecked(!output().samples); });
 }

@@ -7,6 +7,7 @@
 #include <QLabel>
 
 #include "app/document/document.h"
+#include "app/document/words.h"
 #include "app/panels/forms/key_button.h"
 #include "app/widgets/color_button.h"
 #include "app/widgets/rows.h"
@@ -44,7 +45,7 @@ void SceneForm::finish_field(const FieldInfo& info, const QString& name, QWidget
   const QString unit = info.unit;
   const QString says = fields_text(info.says).remove('`');
   const bool has_unit = !unit.isEmpty() && unit != "RGB";
-  title.setToolTip(has_unit ? says + '\n' + tr("Unit: %1").arg(unit) : says);
+  title.setToolTip(has_unit ? says + '\n' + tr("Unit: %1").arg(fields_text(info.unit)) : says);
   if (unit == "u") show_length_units(*this, {name.toUtf8().constData()});
 }
 
@@ -132,7 +133,7 @@ QString field_label(const FieldInfo& info) {
 }
 
 QString object_label(const QString& object, const QString& label) {
-  return object.isEmpty() ? label : object + ' ' + label.toLower();
+  return object.isEmpty() ? label : object + ' ' + in_sentence(label);
 }
 
 QString at_birth(const QString& label) {

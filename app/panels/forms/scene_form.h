@@ -140,7 +140,7 @@ void SceneForm::add_field(QFormLayout& form, const F& field,
         name, [track = fields.track, info](const Scene& scene) { return track(scene, info); });
   }
   const QString label = object_label(fields.object, field_label(info));
-  const QString title = *info.unit ? label + ", " + info.unit : label;
+  const QString title = *info.unit ? label + ", " + fields_text(info.unit) : label;
   const auto scale =
       info.is_logarithmic ? ValueField::Scale::logarithmic : ValueField::Scale::linear;
   if constexpr (std::is_same_v<Value, glm::dvec3>) {

@@ -21,10 +21,11 @@ std::optional<GaussianAttribute> attribute_called(const QString& name) {
   for (std::size_t k = 0; k < attribute_fields.size(); ++k) {
     if (QString(attribute_fields[k]).startsWith(name)) return gaussian_attributes[k];
   }
-  if (attribute_name(GaussianAttribute::elongation).startsWith(name)) {
+  if (QString(attribute_id(GaussianAttribute::elongation)).startsWith(name)) {
     return GaussianAttribute::elongation;
   }
-  const auto found = std::ranges::find(gaussian_attributes, name, attribute_name);  // "radius x"
+  const auto found = std::ranges::find(gaussian_attributes, QString(name).replace(' ', '_'),
+                                       attribute_id);  // "radius x"
   return found == gaussian_attributes.end() ? std::nullopt : std::optional(*found);
 }
 

@@ -108,7 +108,7 @@ GaussianForm::GaussianForm(Document& document, QWidget* parent)
   };
   layout_ = new QFormLayout(this);
   layout_->setContentsMargins(8, 8, 8, 4);
-  layout_->addRow(tr("Center"), axes(0));
+  layout_->addRow(tr("Centre"), axes(0));
   // Beside each other: the table below needs the height.
   auto* radius_and_density = new QHBoxLayout;
   QLabel* radius = one(3);
@@ -150,16 +150,16 @@ void GaussianForm::add_field(std::size_t k) {
   const bool is_rotation = k >= of_rotation;
   const bool is_of_axis = is_center || is_of_shape(field);
   fields_[k] = new ValueField(
-      is_of_axis ? QString(attribute_name(field).back()) : attribute_title(field),
+      is_of_axis ? QString(attribute_id(field)).last(1) : attribute_title(field),
       attribute_domain(field), is_center || is_rotation ? Scale::linear : Scale::logarithmic,
       is_rotation ? degrees_step : step, this);
   if (!is_rotation && field != GaussianAttribute::density) fields_[k]->number().show_length_unit();
-  fields_[k]->number().setObjectName(attribute_name(field).replace(' ', '_'));
+  fields_[k]->number().setObjectName(attribute_id(field));
   fields_[k]->setToolTip(is_center ? tr("The place of its largest density")
                          : field == GaussianAttribute::radius
                              ? tr("At this distance its density is 1/e of the largest")
                          : field == GaussianAttribute::density
-                             ? tr("The scattering coefficient at its center, per unit of length")
+                             ? tr("The scattering coefficient at its centre, per unit of length")
                          : is_rotation ? tr("Euler angles in degrees that turn an ellipsoid's axes")
                                        : tr("Along its own axes: equal ones make it a ball"));
   connect(fields_[k], &ValueField::edited, this,

@@ -51,7 +51,7 @@ double GaussianHistogram::Axis::position(double value) const {
 
 GaussianHistogram::GaussianHistogram(Document& document, GaussianAttribute field, QWidget* parent)
     : QWidget(parent), document_(document), field_(field) {
-  setObjectName("histogram_" + attribute_name(field));
+  setObjectName(QString("histogram_") + attribute_id(field));
   setToolTip(tr("Drag to select the Gaussians in a range; Shift adds, Ctrl removes"));
   setCursor(Qt::CrossCursor);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);

@@ -77,6 +77,9 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
       filter_(new FilterBar(this)) {
   auto* form = new GaussianForm(document, this);
   table_->setModel(model_);
+  if (auto* corner = table_->findChild<QAbstractButton*>()) {
+    corner->setAccessibleName(tr("Select all"));
+  }
   table_->setItemDelegate(new RowDelegate(document, *model_, this));
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -156,8 +159,9 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
 void GaussianPanel::add_column_menu() {
   QHeaderView* header = table_->horizontalHeader();
   header->setContextMenuPolicy(Qt::ActionsContextMenu);
-  const auto add = [this, header](int column, const QString& title, bool is_shown) {
-    const QString name = "column_" + title.toLower().replace(' ', '_');
+  const auto add = [this, header](int column, const QString& id, const QString& title,
+                                  bool is_shown) {
+    const QString name = "column_" + id;
     auto* action = named(new QAction(title, header), name);
     action->setCheckable(true);
     const QString key = "gaussians/" + name;
@@ -170,14 +174,14 @@ void GaussianPanel::add_column_menu() {
     header->addAction(action);
   };
   constexpr int id_column = GaussianTableModel::id_column;
-  add(id_column, tr("Id"), true);
+  add(id_column, "id", tr("Id"), true);
   header->moveSection(id_column, 0);
   header->setSectionResizeMode(id_column, QHeaderView::Interactive);
   header->resizeSection(id_column, header->fontMetrics().horizontalAdvance("0000000"));
   for (std::size_t k = 3; k < gaussian_attributes.size(); ++k) {  // always the center
     const GaussianAttribute field = gaussian_attributes[k];
     // There is room for few, unless more were asked for.
-    add(static_cast<int>(k), attribute_title(field), !is_of_shape(field));
+    add(static_cast<int>(k), attribute_id(field), attribute_title(field), !is_of_shape(field));
   }
 }
 

@@ -379,7 +379,8 @@ bool Outliner::dropMimeData(QTreeWidgetItem* onto, int /*index*/, const QMimeDat
 void Outliner::count_gaussians() {
   groups_->update();
   const std::size_t count = document_.medium().size();
-  gaussians_->setText(0, count == 1 ? tr("1 Gaussian") : tr("%1 Gaussians").arg(count_text(count)));
+  gaussians_->setText(
+      0, tr("%1 Gaussian(s)", nullptr, static_cast<int>(count)).arg(count_text(count)));
 }
 
 void Outliner::changeEvent(QEvent* event) {

@@ -71,7 +71,7 @@ void SplineRows::rename(SplineId spline) {
 
 void SplineRows::fill_menu(QMenu& menu, SplineId spline) {
   menu.addAction(tr("Edit Points"), this, [this, spline] { edit(spline); });
-  menu.addAction(tr("Select its Gaussians"), this,
+  menu.addAction(tr("Select Its Gaussians"), this,
                  [this, spline] { select_spline(document_, spline); });
   menu.addAction(tr("Rename"), this, [this, spline] { rename(spline); });
   menu.addSeparator();

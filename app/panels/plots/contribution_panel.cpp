@@ -161,8 +161,7 @@ void ContributionPanel::paintEvent(QPaintEvent* /*event*/) {
   for (const LightShare& light : f.lights) radiance_row(light.name, light.radiance, light.color);
   y += 4;
   painter.drawText(inside.left(), y, inside.width(), row_height(), Qt::AlignVCenter,
-                   f.met.size() == 1 ? tr("No other Gaussians on this ray")
-                                     : tr("%1 Gaussians on this ray").arg(f.met.size()));
+                   tr("%n Gaussian(s) on this ray", nullptr, static_cast<int>(f.met.size())));
   y += row_height();
   first_met_row_ = y;
   for (const auto& [id, met] : f.met) {

@@ -21,7 +21,7 @@ FogShapeDialog::FogShapeDialog(Document& document, const FogPlace& place, QWidge
       add_(named(new QPushButton(tr("Add"), this), "fog_shape_add")) {
   setAttribute(Qt::WA_DeleteOnClose);
   setObjectName("fog_shape_dialog");
-  setWindowTitle(tr("Add fog shape"));
+  setWindowTitle(tr("Add Fog Shape"));
   kind_->addItems({tr("Box"), tr("Sphere"), tr("Height fog")});
   connect(kind_, &QComboBox::activated, this,
           [this](int index) { set_kind(static_cast<FogShape::Kind>(index)); });
@@ -69,8 +69,9 @@ void FogShapeDialog::update_count() {
   form_->refresh();
   const QString problem = fog_problem(shape_);
   add_->setEnabled(problem.isEmpty());
-  count_->setText(problem.isEmpty() ? tr("%1 Gaussians").arg(count_text(fill(shape_).size()))
-                                    : problem);
+  if (!problem.isEmpty()) return count_->setText(problem);
+  const std::size_t count = fill(shape_).size();
+  count_->setText(tr("%1 Gaussian(s)", nullptr, static_cast<int>(count)).arg(count_text(count)));
 }
 
 void FogShapeDialog::add_shape() {

@@ -67,7 +67,7 @@ void show_keys(QWidget* parent, const QList<QAction*>& actions) {
     if (action->shortcut().isEmpty()) continue;
     html += row(action->iconText(), action->shortcut().toString(QKeySequence::NativeText));
   }
-  show_text(parent, help_text("Keyboard shortcuts"), html + "</table>");
+  show_text(parent, help_text("Keyboard Shortcuts"), html + "</table>");
 }
 
 QString open_manual(const std::filesystem::path& folder) {

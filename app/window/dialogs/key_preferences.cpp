@@ -1,4 +1,5 @@
 #include "app/window/dialogs/key_preferences.h"
+#include "app/widgets/mnemonics.h"
 
 #include <QAction>
 #include <QHeaderView>
@@ -16,7 +17,7 @@ namespace brume {
 namespace {
 
 QString plain_title(const QAction& action) {
-  return action.text().remove('&').remove(QChar(0x2026));
+  return without_mnemonic(action.text()).remove(QChar(0x2026));
 }
 
 // "Ctrl+Z", "Del, X".

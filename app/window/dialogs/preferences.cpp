@@ -17,6 +17,7 @@
 #include "app/document/autosave.h"
 #include "app/document/number_text.h"
 #include "app/widgets/interface_settings.h"
+#include "app/widgets/mnemonics.h"
 #include "app/widgets/rows.h"
 #include "app/window/dialogs/key_preferences.h"
 
@@ -78,10 +79,47 @@ void add_handles(QFormLayout& form) {
   form.addRow(text("Size of handles"), handles);
 }
 
-// The page about how scenes are shown: unit, colours, handles.
+void add_language(QFormLayout& form) {
+  auto* languages = named(new QComboBox, "language", text("From the next start on"));
+  // Languages are called by their own names.
+  for (const auto& [title, language] : {std::pair{text("As the system"), Language::system},
+                                        std::pair{QString("English"), Language::english},
+                                        std::pair{QString("Deutsch"), Language::german}}) {
+    languages->addItem(title, static_cast<int>(language));
+  }
+  auto& settings = InterfaceSettings::instance();
+  languages->setCurrentIndex(languages->findData(static_cast<int>(settings.language())));
+  QObject::connect(languages, &QComboBox::activated, languages, [languages, &settings] {
+    settings.set_language(static_cast<Language>(languages->currentData().toInt()));
+  });
+  form.addRow(text("Language"), languages);
+}
+
+void add_scale(QFormLayout& form) {
+  auto* scales = named(new QComboBox, "interface_scale",
+                       text("Size of letters, buttons and panels. From the next start on"));
+  scales->addItem(text("By the screen"), 0.0);
+  for (const double scale : {0.75, 0.9, 1.0, 1.1, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0}) {
+    scales->addItem(QString("%1 %").arg(number_text(100.0 * scale)), scale);
+  }
+  auto& settings = InterfaceSettings::instance();
+  const double chosen = settings.interface_scale();
+  if (scales->findData(chosen) < 0) {
+    scales->addItem(QString("%1 %").arg(number_text(100.0 * chosen)), chosen);
+  }
+  scales->setCurrentIndex(scales->findData(chosen));
+  QObject::connect(scales, &QComboBox::activated, scales, [scales, &settings] {
+    settings.set_interface_scale(scales->currentData().toDouble());
+  });
+  form.addRow(text("Scale of the interface"), scales);
+}
+
+// The page about how the editor and its scenes are shown.
 QWidget* display_page() {
   auto* page = new QWidget;
   auto* form = new QFormLayout(page);
+  add_language(*form);
+  add_scale(*form);
   add_unit(*form);
   add_colors(*form);
   add_handles(*form);
@@ -107,6 +145,7 @@ Preferences::Preferences(Autosave& autosave, QWidget* window) : QDialog(window) 
   form_ = new QFormLayout(general);
   add_autosave(autosave);
   add_threads();
+  add_limits();
   auto* tabs = new QTabWidget(this);
   tabs->addTab(general, tr("General"));
   tabs->addTab(display_page(), tr("Display"));
@@ -121,17 +160,17 @@ void Preferences::add_choice(const QString& title, const QString& name, QActionG
   const QList<QAction*> actions = group.actions();
   for (int k = 0; k < actions.size(); ++k) {
     const QAction* action = actions.at(k);
-    box->addItem(action->text().remove('&'));
+    box->addItem(without_mnemonic(action->text()));
     box->setItemData(k, action->toolTip(), Qt::ToolTipRole);
     if (action->isChecked()) box->setCurrentIndex(k);
     // Checked in the menu, or by what the view shows.
     connect(action, &QAction::changed, box, [box, action, k] {
-      box->setItemText(k, action->text().remove('&'));
+      box->setItemText(k, without_mnemonic(action->text()));
       if (action->isChecked()) box->setCurrentIndex(k);
     });
   }
   connect(box, &QComboBox::activated, &group, [actions](int k) { actions.at(k)->trigger(); });
-  form_->insertRow(form_->rowCount() - 2, title, box);
+  form_->insertRow(choices_++, title, box);
 }
 
 void Preferences::add_autosave(Autosave& autosave) {
@@ -155,6 +194,31 @@ void Preferences::add_threads() {
     apply_chosen_threads();
   });
   form_->addRow(tr("Threads"), threads);
+}
+
+void Preferences::add_limits() {
+  auto& settings = InterfaceSettings::instance();
+  auto* steps = named(new QSpinBox(this), "undo_limit",
+                      tr("How many steps of the history are kept: fewer take less memory. From the "
+                         "next scene on"));
+  // Below the smallest limit is none.
+  steps->setRange(InterfaceSettings::min_undo_limit - 1, InterfaceSettings::max_undo_limit);
+  steps->setSpecialValueText(tr("all"));
+  steps->setValue(settings.undo_limit());
+  connect(steps, &QSpinBox::valueChanged, this, [&settings, steps](int count) {
+    settings.set_undo_limit(count == steps->minimum() ? 0 : count);
+  });
+  form_->addRow(tr("Steps that can be undone"), steps);
+  auto* memory =
+      named(new QSpinBox(this), "frame_memory",
+            tr("Memory for the frames of an animation that have been shown, to play them "
+               "without rendering"));
+  memory->setRange(InterfaceSettings::min_frame_memory, InterfaceSettings::max_frame_memory);
+  memory->setSuffix(tr(" MB"));
+  memory->setValue(settings.frame_memory());
+  connect(memory, &QSpinBox::valueChanged, this,
+          [&settings](int megabytes) { settings.set_frame_memory(megabytes); });
+  form_->addRow(tr("Memory for played frames"), memory);
 }
 
 }  // namespace brume

@@ -22,8 +22,10 @@ class Preferences : public QDialog {
  private:
   void add_autosave(Autosave& autosave);
   void add_threads();
+  void add_limits();
 
   QFormLayout* form_;
+  int choices_ = 0;  // that menus have, too
 };
 
 // The most threads that render, as chosen; 0: as many as there are cores. Call before anything is

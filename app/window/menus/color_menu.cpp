@@ -70,11 +70,11 @@ void fill(QMenu& menu, ColorManagement& color, const Report& report) {
     add_choice(menu, *group, QMenu::tr("&ACES 1.0"), color,
                ColorView({aces_config, {}, {}}).choice(), report);
   }
-  QAction* other = menu.addAction(QMenu::tr("&Configuration..."));
+  QAction* other = menu.addAction(QMenu::tr("&Configuration…"));
   other->setToolTip(QMenu::tr("Views of another configuration of OpenColorIO (.ocio)"));
   QObject::connect(other, &QAction::triggered, &menu, [&menu, &color, report] {
     const std::filesystem::path file =
-        ask_for_file(menu.window(), FileKind::color, QMenu::tr("Choose a configuration"),
+        ask_for_file(menu.window(), FileKind::color, QMenu::tr("Choose a Configuration"),
                      QMenu::tr("OpenColorIO (*.ocio)"), {});
     if (file.empty()) return;
     choose_and_report(color, report, [&] { color.set_config(file.string()); });

@@ -10,17 +10,13 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/widgets/mnemonics.h"
 #include "app/widgets/rows.h"
 
 namespace brume {
 namespace {
 
 constexpr QSize search_size(520, 340);
-
-// A menu's text without the marks of its keys.
-QString plain_title(QString text) {
-  return text.remove('&');
-}
 
 }  // namespace
 
@@ -46,7 +42,7 @@ CommandSearch::CommandSearch(const QMenuBar& menus, QWidget* parent)
 void CommandSearch::collect(const QList<QAction*>& actions, const QString& path) {
   for (QAction* action : actions) {
     if (action->isSeparator()) continue;
-    const QString title = path + plain_title(action->text());
+    const QString title = path + without_mnemonic(action->text());
     if (const QMenu* menu = action->menu()) {
       collect(menu->actions(), title + " › ");
     } else {

@@ -257,7 +257,7 @@ void MainMenu::fill_view_menu(QMenu* menu) {
   fill_mode_menu(menu->addMenu(tr("S&how")));
   QMenu* quality = menu->addMenu(tr("&Quality"));
   fill_quality_menu(*quality, work_.views, *window_.findChild<PerformancePanel*>());
-  QMenu* color = menu->addMenu(tr("&Color"));
+  QMenu* color = menu->addMenu(tr("&Colour"));
   color->setObjectName("color_menu");
   fill_color_menu(*color, work_.views.color(), work_.show_status);
   fill_backend_menu(menu->addMenu(tr("&Render Device")));

@@ -56,7 +56,7 @@ void ObjectMenu::fill_add_menu(QMenu& menu) {
   add_light_action(tr("&Spot"), "light.spot", light::Spot());
   add_light_action(tr("S&un"), "light.directional", light::Directional());
   add_light_action(tr("&Rectangle Light"), "light.rectangle", light::Rectangle());
-  add_light_action(tr("&Disk Light"), "light.disk", light::Disk());
+  add_light_action(tr("&Disc Light"), "light.disk", light::Disk());
   add_light_action(tr("Sp&here Light"), "light.sphere", light::Sphere());
   menu.addSeparator();
   add_action(&menu, tr("&Camera"), "add.camera", this, [this] {

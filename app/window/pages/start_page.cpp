@@ -110,6 +110,7 @@ StartPage::StartPage(Document& document, SceneFiles& files, QMainWindow& window,
                      QWidget& views)
     : QFrame(&window), files_(files), window_(window), bars_(bars), views_(views) {
   setObjectName("start_page");
+  setAccessibleName(tr("Start page"));
   setAutoFillBackground(true);
   setFocusPolicy(Qt::StrongFocus);
   auto* content = new QWidget;

@@ -9,9 +9,9 @@ template <>
 inline constexpr auto fields<Group> = std::tuple{
     field(&Group::color, domain::unit,
           {.name = "color",
-           .label = "Color",
+           .label = "Colour",
            .unit = "linear RGB",
-           .says = "Color of its handles and outlines in the editor",
+           .says = "Colour of its handles and outlines in the editor",
            .step = 0.005}),
     field(&Group::visible, domain::boolean,
           {.name = "visible",

@@ -22,7 +22,7 @@ inline constexpr std::array light_kinds{
     LightKindInfo{"spot", "Spot", "Spot", "Shines in a cone"},
     LightKindInfo{"directional", "Directional", "Sun", "The sun: far away, its rays are parallel"},
     LightKindInfo{"rectangle", "Rectangle", "Rectangle", "A surface that shines"},
-    LightKindInfo{"disk", "Disk", "Disk light", "A surface that shines"},
+    LightKindInfo{"disk", "Disc", "Disc light", "A surface that shines"},
     LightKindInfo{"sphere", "Sphere", "Sphere", "A surface that shines"}};
 static_assert(light_kinds.size() == std::variant_size_v<Light::Kind>);
 
@@ -87,7 +87,7 @@ inline constexpr auto position = field(&Light::position, &LightKeys::position, d
                                        {.name = "position",
                                         .label = "Position",
                                         .unit = "u",
-                                        .says = "Where it is, of a surface its center",
+                                        .says = "Where it is, of a surface its centre",
                                         .step = 0.01,
                                         .is_required = true});
 
@@ -132,7 +132,7 @@ inline constexpr auto direction =
             {.name = "direction",
              .label = "Direction",
              .unit = "",
-             .says = "The way it shines, of a rectangle or disk the normal of the side that "
+             .says = "The way it shines, of a rectangle or disc the normal of the side that "
                      "shines; of any length but 0",
              .step = 0.01,
              .is_required = true});

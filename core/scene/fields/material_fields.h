@@ -43,7 +43,7 @@ template <>
 inline constexpr auto fields<MetallicRoughness> = std::tuple{
     field(&MetallicRoughness::base_color, domain::unit,
           {.name = "base_color",
-           .label = "Base color",
+           .label = "Base colour",
            .unit = "RGB",
            .says = "Reflectance of a metal at normal incidence, or of what lies below the surface "
                    "of another material",
@@ -79,7 +79,7 @@ inline constexpr auto fields<MetallicRoughness> = std::tuple{
          .label = "Opacity",
          .unit = "",
          .says = "Share of the surface that is there, of `cutout` and `blend`; times the alpha of "
-                 "the base color texture",
+                 "the base colour texture",
          .step = 0.01,
          .is_always_saved = false}),
     field(&MetallicRoughness::alpha_cutoff, domain::unit,

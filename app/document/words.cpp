@@ -1,0 +1,26 @@
+#include "app/document/words.h"
+
+#include <QCoreApplication>
+
+#include "core/number_domain.h"
+
+namespace brume {
+namespace {
+
+bool keeps_titles = false;
+
+}  // namespace
+
+QString in_sentence(const QString& title) {
+  return keeps_titles ? title : title.toLower();
+}
+
+void keep_titles_in_sentences(bool keep) {
+  keeps_titles = keep;
+}
+
+QString allowed_text(const NumberDomain& domain) {
+  return QCoreApplication::translate("Fields", domain.allowed);
+}
+
+}  // namespace brume

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <QString>
+
+namespace brume {
+
+struct NumberDomain;
+
+// A title inside a sentence: "position" of "Position". Languages that write nouns large keep it.
+QString in_sentence(const QString& title);
+void keep_titles_in_sentences(bool keep);
+
+// "a number > 0"
+QString allowed_text(const NumberDomain& domain);
+
+}  // namespace brume

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+namespace brume {
+
+// The text of an entry as it is read: "Save" of "&Save".
+QString without_mnemonic(const QString& text);
+
+// Gives each entry of a menu and each label, box, button and tab of a dialog a letter of its own,
+// which takes it together with Alt, when it is shown. Letters that a text has already are kept
+// where no other has them.
+class Mnemonics : public QObject {
+  Q_OBJECT
+ public:
+  using QObject::QObject;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+};
+
+}  // namespace brume
