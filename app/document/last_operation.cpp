@@ -30,8 +30,8 @@ bool LastOperation::complete(const std::function<void()>& work) {
   if (step_ && !has_made_step) stack_.redo();
   is_working_ = false;
   const int former = stack_.index() - 2;
-  const bool is_one = former >= 0 ? stack_.command(former) == former_ : has_made_step;
-  step_ = operation_ && has_made_step && is_one ? last_step() : nullptr;
+  const bool is_one = former < 0 || stack_.command(former) == former_;
+  step_ = operation_ && last_step() != former_ && is_one ? last_step() : nullptr;
   return has_made_step;
 }
 

@@ -8,6 +8,7 @@
 #include <QGroupBox>
 #include <QLabel>
 #include <QMenu>
+#include <QMenuBar>
 #include <QTabBar>
 #include <algorithm>
 #include <array>
@@ -121,7 +122,8 @@ void assign(const std::vector<Entry>& entries) {
   }
 }
 
-std::vector<Entry> entries_of(const QMenu& menu) {
+// Of a menu, or a bar of menus.
+std::vector<Entry> menu_entries(const QWidget& menu) {
   std::vector<Entry> entries;
   for (QAction* action : menu.actions()) {
     if (action->isSeparator() || !action->isVisible()) continue;
@@ -154,7 +156,7 @@ void add_texts(const QDialog& dialog, std::vector<Entry>& entries, auto&& is_wan
   }
 }
 
-std::vector<Entry> entries_of(const QDialog& dialog) {
+std::vector<Entry> dialog_entries(const QDialog& dialog) {
   std::vector<Entry> entries;
   add_texts<QLabel>(dialog, entries, [](QLabel& label) {
     if (!label.buddy()) {
@@ -183,8 +185,10 @@ QString without_mnemonic(const QString& text) {
 bool Mnemonics::eventFilter(QObject* watched, QEvent* event) {
   // Texts that change ask for another layout.
   if (event->type() == QEvent::Show || event->type() == QEvent::LayoutRequest) {
-    if (const auto* menu = qobject_cast<QMenu*>(watched)) assign(entries_of(*menu));
-    if (const auto* dialog = qobject_cast<QDialog*>(watched)) assign(entries_of(*dialog));
+    if (qobject_cast<QMenu*>(watched) || qobject_cast<QMenuBar*>(watched)) {
+      assign(menu_entries(*static_cast<QWidget*>(watched)));
+    }
+    if (const auto* dialog = qobject_cast<QDialog*>(watched)) assign(dialog_entries(*dialog));
   }
   return QObject::eventFilter(watched, event);
 }

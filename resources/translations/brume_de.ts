@@ -2550,7 +2550,7 @@ Wahl von Auto</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation>Bild</translation>
+        <translation>Frame</translation>
     </message>
     <message>
         <source>How long the picture took to render, in milliseconds or seconds</source>
@@ -2654,7 +2654,7 @@ Wahl von Auto</translation>
     </message>
     <message>
         <source>frame</source>
-        <translation>Bild</translation>
+        <translation>Frame</translation>
     </message>
     <message>
         <source>on the CPU: %1</source>
@@ -4239,6 +4239,10 @@ Wahl von Auto</translation>
         <translation>Was möchten Sie tun?</translation>
     </message>
     <message>
+        <source>F&amp;og</source>
+        <translation>Nebel</translation>
+    </message>
+    <message>
         <source>Add S&amp;hape…</source>
         <translation>Form hinzufügen …</translation>
     </message>
@@ -4377,6 +4381,10 @@ Wahl von Auto</translation>
     <message>
         <source>Prefere&amp;nces…</source>
         <translation>Einstellungen …</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Ausschneiden</translation>
     </message>
     <message>
         <source>Paste in Pl&amp;ace</source>
@@ -4669,6 +4677,10 @@ Wahl von Auto</translation>
     <message>
         <source>&amp;Spot</source>
         <translation>Spot</translation>
+    </message>
+    <message>
+        <source>S&amp;un</source>
+        <translation>Sonne</translation>
     </message>
     <message>
         <source>&amp;Rectangle Light</source>

@@ -306,18 +306,18 @@ class BrushesTest : public QObject {
       QTest::mouseClick(save, Qt::LeftButton);
     }
     BrushDesk desk;
-    QAction* own = entry(open_presets(desk, "brush_presets"), "Thin && wide");
+    QAction* own = entry(open_presets(desk, "brush_presets"), "Thin & wide");
     QVERIFY(own);
     own->trigger();
     QCOMPARE(desk.brush().brush().scatter, 1.5);
     QCOMPARE(desk.brush().brush().flow, 0.4);
     QCOMPARE(desk.brush().brush().stretch, 2.5);
-    QVERIFY(!entry(open_presets(desk, "air_presets"), "Thin && wide"));
+    QVERIFY(!entry(open_presets(desk, "air_presets"), "Thin & wide"));
 
     auto* remove = open_presets(desk, "brush_presets").findChild<QAction*>("delete_Thin & wide");
     QVERIFY(remove);
     remove->trigger();
-    QVERIFY(!entry(open_presets(desk, "brush_presets"), "Thin && wide"));
+    QVERIFY(!entry(open_presets(desk, "brush_presets"), "Thin & wide"));
   }
 
   void unknown_keys_of_the_library_are_kept() {

@@ -103,6 +103,7 @@ class TranslationsTest : public QObject {
     QStringList menus;
     for (const QAction* action : window->menuBar()->actions()) {
       menus << without_mnemonic(action->text());
+      QVERIFY2(!QKeySequence::mnemonic(action->text()).isEmpty(), qPrintable(action->text()));
     }
     QVERIFY2(menus.contains("Datei") && menus.contains("Bearbeiten"), qPrintable(menus.join(' ')));
     QCOMPARE(label_text(*window, "camera_focus_distance_title"), "Schärfeentfernung, u");
