@@ -2621,8 +2621,8 @@ Wahl von Auto</translation>
         <translation>Breite und Höhe in Pixeln</translation>
     </message>
     <message>
-        <source>Stage</source>
-        <translation>Stufe</translation>
+        <source>Render stage</source>
+        <translation>Renderstufe</translation>
     </message>
     <message>
         <source>Milliseconds</source>
@@ -4833,6 +4833,10 @@ Wahl von Auto</translation>
     <message>
         <source>A valley of 120 m with mist under a morning sun</source>
         <translation>Ein Tal von 120 m mit Nebel unter einer Morgensonne</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>Bühne</translation>
     </message>
     <message>
         <source>A stage of 12 m with four beams in haze</source>

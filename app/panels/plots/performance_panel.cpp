@@ -139,7 +139,7 @@ QWidget* PerformancePanel::make_details() {
                    tr("Evaluated pairs of Gaussian and ray, from the eye and from the lights"));
   picture_ = add_row(*numbers, tr("Picture"), "picture", tr("Width and height in pixels"));
 
-  stages_->setHeaderLabels({tr("Stage"), tr("Milliseconds")});
+  stages_->setHeaderLabels({tr("Render stage"), tr("Milliseconds")});
   stages_->setRootIsDecorated(false);
   stages_->setSelectionMode(QAbstractItemView::NoSelection);
   stages_->setFocusPolicy(Qt::NoFocus);
