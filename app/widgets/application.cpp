@@ -16,7 +16,8 @@ namespace brume {
 namespace {
 
 constexpr const char* theme_key = "view/theme";
-constexpr const char* scale_variable = "QT_SCALE_FACTOR";  // which Qt reads
+constexpr const char* scale_variable = "QT_SCALE_FACTOR";  // which QApplication reads
+bool has_set_scale = false;
 
 QPalette palette_of(Theme theme) {
   const bool dark = theme == Theme::dark;
@@ -64,11 +65,12 @@ void prepare_application() {
   QCoreApplication::setApplicationVersion(version());
   const double scale = InterfaceSettings::instance().interface_scale();
   if (scale != 0.0 && !qEnvironmentVariableIsSet(scale_variable)) {
-    qputenv(scale_variable, QByteArray::number(scale));
+    has_set_scale = qputenv(scale_variable, QByteArray::number(scale));
   }
 }
 
 void set_up_application(QApplication& application) {
+  if (has_set_scale) qunsetenv(scale_variable);  // programs that it starts have their own
   // By this name a desktop finds the icon of the windows.
   QApplication::setDesktopFileName("brume-editor");
   QApplication::setStyle(new EditorStyle);

@@ -51,8 +51,9 @@ void KeyButton::refresh() {
   setIcon(has_key || keys().empty() ? icon
                                     : QIcon(icon.pixmap(iconSize(), QIcon::Normal, QIcon::On)));
   setChecked(has_key);
-  setToolTip(has_key ? tr("Delete the keyframe at this time (I or K over the field)")
-                     : tr("Set a keyframe at this time (I or K over the field)"));
+  const QString tip = has_key ? tr("Delete the keyframe at this time (I or K over the field)")
+                              : tr("Set a keyframe at this time (I or K over the field)");
+  if (tip != toolTip()) setToolTip(tip);  // each new one renames the button
 }
 
 std::vector<Keyframe> KeyButton::keys() const {
