@@ -95,6 +95,7 @@ void ColorButton::show_color(const glm::dvec3& linear) {
 void ColorButton::open_dialog() {
   auto* dialog = new QColorDialog(to_color(color_), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Choose a Colour"));
   dialog->setOptions(QColorDialog::NoButtons | QColorDialog::DontUseNativeDialog);
   const MergeId gesture = new_merge_id();
   connect(dialog, &QColorDialog::currentColorChanged, this,

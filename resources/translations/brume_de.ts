@@ -3385,6 +3385,10 @@ Wahl von Auto</translation>
         <translation>%1 ist direkt vor dem Auge, als wäre es darin; Pos1 zeigt alles</translation>
     </message>
     <message>
+        <source>Choose a Colour</source>
+        <translation>Farbe wählen</translation>
+    </message>
+    <message>
         <source>embers</source>
         <translation>Glut</translation>
     </message>
