@@ -147,6 +147,7 @@ void prepare_application_in(const QTemporaryDir& folder) {
   for (const char* name : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"}) {
     qputenv(name, folder.path().toUtf8());
   }
+  qputenv("LC_ALL", "C.UTF-8");  // texts and numbers are compared in English
   prepare_application();
 }
 
