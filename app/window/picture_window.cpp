@@ -79,7 +79,7 @@ void PictureWindow::save_picture(const std::shared_ptr<const Picture>& picture,
                                  const QString& note) {
   const QString start = last_folder(FileKind::picture, work_.document.folder()) + "/picture.png";
   const QString name =
-      QFileDialog::getSaveFileName(viewer_, tr("Save picture"), start, tr("PNG pictures (*.png)"));
+      QFileDialog::getSaveFileName(viewer_, tr("Save Picture"), start, tr("PNG pictures (*.png)"));
   if (name.isEmpty()) return;
   std::filesystem::path file = to_path(name);
   if (file.extension().empty()) file += ".png";

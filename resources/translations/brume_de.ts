@@ -313,6 +313,10 @@
         <translation>%1 von %2 auf %3 setzen</translation>
     </message>
     <message>
+        <source>Set colours of %1</source>
+        <translation>Farben von %1 setzen</translation>
+    </message>
+    <message>
         <source>Change %1 of %2</source>
         <translation>%1 von %2 ändern</translation>
     </message>
@@ -655,6 +659,34 @@
         <translation>Alle Dateien (*)</translation>
     </message>
     <message>
+        <source>high</source>
+        <translation>hoch</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>niedrig</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames</source>
+        <translation>%1 von %2 Bildern</translation>
+    </message>
+    <message>
+        <source>%1 per frame</source>
+        <translation>%1 je Bild</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>noch %1</translation>
+    </message>
+    <message>
+        <source>failed: %1</source>
+        <translation>fehlgeschlagen: %1</translation>
+    </message>
+    <message>
         <source>waiting</source>
         <translation>wartet</translation>
     </message>
@@ -683,22 +715,24 @@
         <translation>, Frames %1 bis %2</translation>
     </message>
     <message>
-        <source>
-%1 per frame</source>
-        <translation>
-%1 pro Frame</translation>
-    </message>
-    <message>
         <source>Render queue</source>
         <translation>Renderliste</translation>
     </message>
     <message>
-        <source>Renders go on while you edit, each of the scene as it was when it was added</source>
-        <translation>Es wird weitergerendert, während Sie arbeiten, jeweils die Szene, wie sie beim Hinzufügen war</translation>
+        <source>Priority</source>
+        <translation>Priorität</translation>
+    </message>
+    <message>
+        <source>Renders go on while you edit, each of the scene as it was when it was added. Drag those that wait to where they are to be rendered</source>
+        <translation>Gerendert wird weiter, während Sie arbeiten, jedes Mal die Szene, wie sie beim Hinzufügen war. Wartende lassen sich dorthin ziehen, wo sie an der Reihe sein sollen</translation>
     </message>
     <message>
         <source>Nothing to render. F12 renders what the scene's camera sees, Ctrl+F12 the animation; both go on while you edit.</source>
         <translation>Nichts zu rendern. F12 rendert, was die Kamera der Szene sieht, Strg+F12 die Animation; beide laufen weiter, während Sie arbeiten.</translation>
+    </message>
+    <message>
+        <source>Of those that wait, the first with the highest priority is rendered next</source>
+        <translation>Von den Wartenden wird als Nächstes der erste Eintrag mit der höchsten Priorität gerendert</translation>
     </message>
     <message>
         <source>Show</source>
@@ -752,6 +786,10 @@
         <source>Render queue, %1 left</source>
         <translation>Renderliste, noch %1</translation>
     </message>
+    <message>
+        <source>Retry</source>
+        <translation>Erneut versuchen</translation>
+    </message>
     <message numerus="yes">
         <source>%n render(s) are not finished. Stop them? At the next start they are in the queue.</source>
         <translation>
@@ -774,6 +812,10 @@
     <message>
         <source>Render of an earlier session</source>
         <translation>Gerendert in einer früheren Sitzung</translation>
+    </message>
+    <message>
+        <source>“%1” in the queue has yet to write %2. Name another file, or cancel that one.</source>
+        <translation>„%1“ in der Liste soll %2 erst noch schreiben. Nennen Sie eine andere Datei, oder brechen Sie jenen Eintrag ab.</translation>
     </message>
     <message>
         <source>“%1” already exists. Replace it?</source>
@@ -1199,8 +1241,8 @@
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>The scene's cameras. Click one to use it: it is what is rendered. Double-click or F2 renames it</source>
-        <translation>Die Kameras der Szene. Ein Klick verwendet eine: Sie wird gerendert. Doppelklick oder F2 benennt sie um</translation>
+        <source>The scene's cameras. That in use, in bold, is rendered. A click shows the values of one, Enter uses it, a double click or F2 renames it</source>
+        <translation>Die Kameras der Szene. Gerendert wird die verwendete, die fett geschrieben ist. Ein Klick zeigt die Werte einer Kamera, die Eingabetaste verwendet sie, ein Doppelklick oder F2 benennt sie um</translation>
     </message>
     <message>
         <source>Add from View</source>
@@ -1211,20 +1253,28 @@
         <translation>Fügt eine Kamera hinzu, die sieht, was die Ansicht sieht</translation>
     </message>
     <message>
+        <source>Use</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>Uses it: it is what is rendered</source>
+        <translation>Verwendet sie: Gerendert wird, was sie sieht</translation>
+    </message>
+    <message>
         <source>Look Through</source>
         <translation>Hindurchsehen</translation>
     </message>
     <message>
-        <source>Shows what the camera in use sees (0)</source>
-        <translation>Zeigt, was die verwendete Kamera sieht (0)</translation>
+        <source>Uses it, and shows what it sees (0)</source>
+        <translation>Verwendet sie und zeigt, was sie sieht (0)</translation>
     </message>
     <message>
         <source>Delete</source>
         <translation>Löschen</translation>
     </message>
     <message>
-        <source>Deletes the camera in use</source>
-        <translation>Löscht die verwendete Kamera</translation>
+        <source>Deletes the camera</source>
+        <translation>Löscht die Kamera</translation>
     </message>
     <message>
         <source>Perspective</source>
@@ -1389,10 +1439,6 @@
     <message>
         <source>at death</source>
         <translation>bei Tod</translation>
-    </message>
-    <message>
-        <source>Set colours of %1</source>
-        <translation>Farben von %1 setzen</translation>
     </message>
     <message>
         <source>Set emission of %1</source>
@@ -2199,6 +2245,14 @@
         <translation>0 zeigt nur die Szene, 1 nur das Foto</translation>
     </message>
     <message>
+        <source>Plate of each frame</source>
+        <translation>Hintergrundfoto je Bild</translation>
+    </message>
+    <message>
+        <source>The picture is one of several, whose names differ in the number of the frame: shows the last one up to the current frame</source>
+        <translation>Das Foto ist eines von mehreren, deren Namen sich in der Bildnummer unterscheiden: zeigt das letzte bis zum aktuellen Bild</translation>
+    </message>
+    <message>
         <source>A photographed picture over the frame of the camera, to match the scene with. It is not rendered, and not saved with the scene</source>
         <translation>Ein Foto über dem Bild der Kamera, um die Szene daran anzupassen. Es wird nicht gerendert und nicht mit der Szene gespeichert</translation>
     </message>
@@ -2311,16 +2365,20 @@
         <translation>Die Albedo des Mediums: %1</translation>
     </message>
     <message>
+        <source>A number, or a colour: 0.9 0.2 0.1, #e6331a or 2700 K</source>
+        <translation>Eine Zahl oder eine Farbe: 0.9 0.2 0.1, #e6331a oder 2700 K</translation>
+    </message>
+    <message>
         <source>%1 is in use: it is rendered</source>
         <translation>%1 wird verwendet: Sie wird gerendert</translation>
     </message>
     <message>
-        <source>%1: a click uses it</source>
-        <translation>%1: Ein Klick verwendet sie</translation>
+        <source>%1: its icon uses it</source>
+        <translation>%1: Ihr Symbol verwendet sie</translation>
     </message>
     <message>
-        <source>Look through</source>
-        <translation>Hindurchsehen</translation>
+        <source>Use and look through</source>
+        <translation>Verwenden und hindurchsehen</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -2865,10 +2923,6 @@ Wahl von Auto</translation>
         <translation>A und B sind verschieden groß.</translation>
     </message>
     <message>
-        <source>Linear radiance of the pixel under the mouse, red, green and blue</source>
-        <translation>Lineare Strahldichte des Pixels unter der Maus, Rot, Grün und Blau</translation>
-    </message>
-    <message>
         <source>A alone</source>
         <translation>Nur A</translation>
     </message>
@@ -2887,6 +2941,10 @@ Wahl von Auto</translation>
     <message>
         <source>How many times the difference is shown</source>
         <translation>Wie vielfach die Differenz gezeigt wird</translation>
+    </message>
+    <message>
+        <source>What is shown of the pictures: all their light, or a layer</source>
+        <translation>Was von den Bildern gezeigt wird: all ihr Licht oder ein Layer</translation>
     </message>
     <message>
         <source>Shows the whole picture</source>
@@ -2909,8 +2967,8 @@ Wahl von Auto</translation>
         <translation>Speichern …</translation>
     </message>
     <message>
-        <source>Saves the picture that is shown as A, as it looks, as a PNG</source>
-        <translation>Speichert das Bild, das als A gezeigt wird, wie es aussieht, als PNG</translation>
+        <source>Saves the picture that is shown as A, as it looks, as a PNG with its note</source>
+        <translation>Speichert das als A gezeigte Bild, wie es aussieht, als PNG mit seiner Notiz</translation>
     </message>
     <message>
         <source>Keep View</source>
@@ -2921,16 +2979,60 @@ Wahl von Auto</translation>
         <translation>Behält, was die Ansicht zeigt, im nächsten leeren Fach</translation>
     </message>
     <message>
-        <source>Slot %1, empty</source>
-        <translation>Fach %1, leer</translation>
+        <source>How the values of the shown picture are spread: how many pixels have each, black left and white right, or those of each of its columns, black at the bottom</source>
+        <translation>Wie sich die Werte des gezeigten Bildes verteilen: wie viele Pixel jeden haben, Schwarz links und Weiß rechts, oder die Werte jeder Spalte, Schwarz unten</translation>
+    </message>
+    <message>
+        <source>No scope</source>
+        <translation>Keine Anzeige</translation>
+    </message>
+    <message>
+        <source>Histogram</source>
+        <translation>Histogramm</translation>
+    </message>
+    <message>
+        <source>Waveform</source>
+        <translation>Waveform</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>The name of the picture that is shown as A</source>
+        <translation>Der Name des als A gezeigten Bildes</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>What there is to say of the picture that is shown as A</source>
+        <translation>Was zum als A gezeigten Bild zu sagen ist</translation>
+    </message>
+    <message>
+        <source>Linear radiance of the pixel under the mouse, red, green and blue, or what the layer has there</source>
+        <translation>Lineare Strahldichte des Pixels unter der Maus, Rot, Grün und Blau, oder was der Layer dort hat</translation>
     </message>
     <message>
         <source>A differs from B by %1 (relative RMS)</source>
         <translation>A unterscheidet sich von B um %1 (relativer RMS)</translation>
     </message>
     <message>
-        <source>Pixel %1, %2   A %3</source>
-        <translation>Pixel %1, %2   A %3</translation>
+        <source>Pixel %1, %2</source>
+        <translation>Pixel %1, %2</translation>
+    </message>
+    <message>
+        <source>Shows slot %1 as A</source>
+        <translation>Zeigt Fach %1 als A</translation>
+    </message>
+    <message>
+        <source>Compares A with slot %1, as B</source>
+        <translation>Vergleicht A mit Fach %1 als B</translation>
+    </message>
+    <message>
+        <source>Slot %1, empty</source>
+        <translation>Fach %1, leer</translation>
     </message>
     <message>
         <source>Hold to spray fog that bounces off surfaces; release to leave it in place. Inside fills a closed mesh.</source>
@@ -3460,6 +3562,13 @@ Wahl von Auto</translation>
         <translation>
             <numerusform>%1 Pfad, Rauschen %2</numerusform>
             <numerusform>%1 Pfade, Rauschen %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 path(s), denoised</source>
+        <translation>
+            <numerusform>%1 Pfad, entrauscht</numerusform>
+            <numerusform>%1 Pfade, entrauscht</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -4059,6 +4168,14 @@ Wahl von Auto</translation>
         <translation>Rendert wieder das ganze Bild</translation>
     </message>
     <message>
+        <source>Picture &amp;Viewer</source>
+        <translation>Bild&amp;betrachter</translation>
+    </message>
+    <message>
+        <source>Shows rendered pictures in a window of their own</source>
+        <translation>Zeigt gerenderte Bilder in einem eigenen Fenster</translation>
+    </message>
+    <message>
         <source>&amp;Keep View</source>
         <translation>Ansicht behalten</translation>
     </message>
@@ -4119,10 +4236,6 @@ Wahl von Auto</translation>
         <translation>Ausgabe</translation>
     </message>
     <message>
-        <source>Picture Viewer</source>
-        <translation>Bildbetrachter</translation>
-    </message>
-    <message>
         <source>%1, frame %2</source>
         <translation>%1, Frame %2</translation>
     </message>
@@ -4137,38 +4250,6 @@ Wahl von Auto</translation>
     <message>
         <source>Its slot has another picture by now.</source>
         <translation>In seinem Fach ist inzwischen ein anderes Bild.</translation>
-    </message>
-    <message>
-        <source>Wait until the picture is at rest, then keep it.</source>
-        <translation>Warten Sie, bis das Bild ruht, und behalten Sie es dann.</translation>
-    </message>
-    <message>
-        <source> · error %1</source>
-        <translation> · Fehler %1</translation>
-    </message>
-    <message>
-        <source>View, frame %1</source>
-        <translation>Ansicht, Frame %1</translation>
-    </message>
-    <message>
-        <source>Kept in slot %1</source>
-        <translation>In Fach %1 behalten</translation>
-    </message>
-    <message>
-        <source>Save Picture</source>
-        <translation>Bild speichern</translation>
-    </message>
-    <message>
-        <source>PNG pictures (*.png)</source>
-        <translation>PNG-Bilder (*.png)</translation>
-    </message>
-    <message>
-        <source>Saving %1</source>
-        <translation>%1 wird gespeichert</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>%1 gespeichert</translation>
     </message>
     <message>
         <source>Frame %1</source>
@@ -4945,6 +5026,42 @@ Wahl von Auto</translation>
     <message>
         <source>Mist, seen from inside towards the mouth</source>
         <translation>Nebel, von innen zum Ausgang hin gesehen</translation>
+    </message>
+    <message>
+        <source>Picture Viewer</source>
+        <translation>Bildbetrachter</translation>
+    </message>
+    <message>
+        <source>Wait until the picture is at rest, then keep it.</source>
+        <translation>Warten Sie, bis das Bild ruht, und behalten Sie es dann.</translation>
+    </message>
+    <message>
+        <source> · error %1</source>
+        <translation> · Fehler %1</translation>
+    </message>
+    <message>
+        <source>View, frame %1</source>
+        <translation>Ansicht, Frame %1</translation>
+    </message>
+    <message>
+        <source>Kept in slot %1</source>
+        <translation>In Fach %1 behalten</translation>
+    </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG-Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
     </message>
     <message>
         <source>, %1 selected</source>

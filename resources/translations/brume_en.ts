@@ -109,6 +109,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%1 path(s), denoised</source>
+        <translation>
+            <numerusform>%1 path, denoised</numerusform>
+            <numerusform>%1 paths, denoised</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 path(s)</source>
         <translation>
             <numerusform>%1 path</numerusform>
