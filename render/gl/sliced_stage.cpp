@@ -155,6 +155,7 @@ void SlicedStage::upload_source(const SourceFunction* source, const glm::dvec3& 
     program.set("eye_lobe_x", places.film[0]);
     program.set("eye_lobe_y", places.film[1]);
     program.set("eye_lobe_forward", places.forward);
+    program.set("eye_lobe_start", places.start);
     program.set("eye_lobe_distance", places.distance);
     if (is_new) values.insert(values.end(), eye_lobe.values().begin(), eye_lobe.values().end());
   }

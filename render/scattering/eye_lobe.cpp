@@ -111,8 +111,8 @@ namespace {
 
 HWY_EXPORT(Scatter);
 
-// Of rays that find surfaces: about 5 degrees apart.
-constexpr int direction_count = 2048;
+// Rays that find surfaces, about 3 degrees apart.
+constexpr int direction_count = 6144;
 
 // Evenly over the sphere, the same for all eyes.
 std::vector<glm::dvec3> even_directions() {
@@ -121,7 +121,8 @@ std::vector<glm::dvec3> even_directions() {
   for (int i = 0; i < direction_count; ++i) {
     const double z = 1.0 - (2.0 * i + 1.0) / direction_count;
     const double radius = std::sqrt(1.0 - z * z);
-    result.push_back({radius * std::cos(golden_angle * i), radius * std::sin(golden_angle * i), z});
+    result.emplace_back(radius * std::cos(golden_angle * i), radius * std::sin(golden_angle * i),
+                        z);
   }
   return result;
 }
@@ -267,25 +268,48 @@ void add(SeenSurfels& seen, const glm::dvec3& position, const glm::dvec3& normal
   for (std::size_t c = 0; c < 3; ++c) seen.radiance[c].push_back(radiance[static_cast<int>(c)]);
 }
 
-// Those that send light.
+// How far before the eye the medium begins, at least: from afar the eye itself would tell nothing
+// in it apart.
+double start_of(const SourceGrid& grid, const LobedMedium& medium, const CameraRays& rays) {
+  const SourceGrid::Level& finest = grid.levels().front();
+  const glm::dvec3 half =
+      0.5 * static_cast<double>(finest.nodes.spacing) * glm::dvec3(finest.nodes.count - 1);
+  glm::dvec3 center = finest.first + half;
+  double radius = glm::length(half);
+  if (medium.fog_density > 0.0) {
+    if (medium.fog.is_endless()) return 0.0;
+    center = medium.fog.center;
+    radius = medium.fog.radius;
+  }
+  return std::max(glm::dot(center - rays.eye(), rays.forward()) - radius, 0.0);
+}
+
+// Those that send light, seen from so far before the eye.
 SeenSurfels seen_surfels(const SourceGrid& grid, const SentLight& sent, const CameraRays& rays,
-                         const ViewDepths& depths) {
-  constexpr double min_cosine = 0.03;  // to the normal: what is seen edge-on has no end
+                         double start, const ViewDepths& depths) {
+  constexpr double min_cosine = 0.06;  // to the normal: what is seen edge-on has no end
   const std::vector<glm::dvec3> directions = even_directions();
   std::vector<SurfaceHit> hits(directions.size());
-  sent.ray_caster.first_hits(rays, directions, {}, hits);
+  const glm::dvec3 origin = rays.eye() + start * rays.forward();
+  if (start > 0.0) {
+    sent.ray_caster.first_hits(origin, directions, hits);
+  } else {
+    sent.ray_caster.first_hits(rays, directions, {}, hits);
+  }
   SeenSurfels seen;
   for (std::size_t i = 0; i < directions.size(); ++i) {
     if (!hits[i] || hits[i].is_light()) continue;
     const glm::dvec3& w = directions[i];
-    const SurfacePoint point = sent.ray_caster.point(hits[i], rays.eye(), w, sent.surfaces);
+    const SurfacePoint point = sent.ray_caster.point(hits[i], origin, w, sent.surfaces);
     const glm::vec3 radiance = radiance_at(grid, sent, point);
     if (radiance == glm::vec3(0.0f)) continue;
     const double distance = hits[i].distance;
     const double cosine = std::max(-glm::dot(point.normal, w), min_cosine);
     const double area = 4.0 * std::numbers::pi / direction_count * distance * distance / cosine;
+    const double from_eye = rays.distance_to(point.position);
+    const glm::dvec3 view = rays.towards(point.position);
     add(seen, point.position - rays.eye(), point.normal, area,
-        std::exp(-depths(rays.eye(), w, distance)), radiance);
+        std::exp(-depths(point.position - from_eye * view, view, from_eye)), radiance);
   }
   constexpr std::size_t max_lanes = 64;  // of any instruction set
   while (seen.size() % max_lanes != 0) {
@@ -365,7 +389,8 @@ EyeLobe::EyeLobe(const SourceGrid& grid, const SentLight& sent, const LobedMediu
     : revision_(new_revision()) {
   const Columns columns(rays, sent.ray_caster);
   const double spacing = static_cast<double>(grid.levels().front().nodes.spacing);
-  const double distance = std::max(columns.median_distance(), spacing);
+  const double start = start_of(grid, medium, rays);
+  const double distance = std::max(columns.median_distance() - start, spacing);
   const CameraRays::FilmPlane plane = rays.plane();
   const auto along_film = [&](const glm::dvec3& per_pixel, double cells) {
     const glm::dvec3 axis = cells / glm::dot(per_pixel, per_pixel) * per_pixel;
@@ -375,9 +400,10 @@ EyeLobe::EyeLobe(const SourceGrid& grid, const SentLight& sent, const LobedMediu
   places_ = {{along_film(plane.per_x, (size.x - 1) / film.x),
               along_film(plane.per_y, (size.y - 1) / film.y)},
              glm::vec3(rays.forward()),
+             static_cast<float>(start),
              static_cast<float>(distance)};
   const ViewDepths depths(grid, medium);
-  const SeenSurfels surfels = seen_surfels(grid, sent, rays, depths);
+  const SeenSurfels surfels = seen_surfels(grid, sent, rays, start, depths);
   Lobe lobe{static_cast<float>(medium.anisotropy), {}};
   std::ranges::transform(PhaseBands(medium.anisotropy).phase_powers(), lobe.rest.begin(),
                          [](double power) { return static_cast<float>(power); });
@@ -387,10 +413,10 @@ EyeLobe::EyeLobe(const SourceGrid& grid, const SentLight& sent, const LobedMediu
     const auto layer_size = static_cast<std::size_t>(size.x * size.y);
     const std::size_t column = i % layer_size;
     const auto k = static_cast<double>(i / layer_size);
-    // What is behind a surface would see another side of it.
-    constexpr double before_surface = 0.85;
-    const double end = before_surface * columns.hits[column].distance;
-    const double t = distance * k / (size.z - k);
+    // Not so near a surface that its parts are told apart, nor behind it.
+    constexpr double before_surface = 0.9;
+    const double end = start + before_surface * (columns.hits[column].distance - start);
+    const double t = start + distance * k / (size.z - k);
     is_hidden[i] = t > end ? 1 : 0;
     const glm::dvec3& w = columns.directions[column];
     const glm::dvec3& offset = columns.offsets[column];
@@ -412,9 +438,10 @@ glm::vec3 EyeLobe::at(const glm::vec3& offset, const glm::vec3& w, float t) cons
   const float forward = glm::dot(w, places_.forward);
   const glm::vec4 on_film(offset + w / std::max(forward, 1e-6f), 1.0f);
   const glm::vec3 last(size - 1);
+  const float beyond = std::max(t - places_.start, 0.0f);
   const glm::vec3 place =
       glm::clamp(glm::vec3(glm::dot(places_.film[0], on_film), glm::dot(places_.film[1], on_film),
-                           static_cast<float>(size.z) * t / (t + places_.distance)),
+                           static_cast<float>(size.z) * beyond / (beyond + places_.distance)),
                  glm::vec3(0.0f), last);
   const glm::ivec3 first = glm::min(glm::ivec3(place), size - 2);
   const glm::vec3 f = place - glm::vec3(first);

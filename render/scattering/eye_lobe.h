@@ -51,11 +51,12 @@ class EyeLobe {
 
   // The table, x fastest, R G B 0; and where a place is in it: per axis x and y the dot product of
   // (offset + w / (w . forward), 1) and `film`, along z scaled by `distance`.
-  static constexpr glm::ivec3 size{32, 20, 12};
+  static constexpr glm::ivec3 size{24, 16, 20};
   struct Places {
     std::array<glm::vec4, 2> film{};
     glm::vec3 forward{0.0f};
-    float distance = 1.0f;  // at which z is in the middle [u]
+    float start = 0.0f;     // of z [u]
+    float distance = 1.0f;  // from there, at which z is in the middle [u]
   };
   [[nodiscard]] std::span<const glm::vec4> values() const { return values_; }
   [[nodiscard]] const Places& places() const { return places_; }

@@ -47,9 +47,8 @@ TEST(ForwardLobe, KeepsAUniformFieldInFogAndGaussians) {
   EXPECT_LT(furnace_error(in_fog(cloud_scene(5, 3.0), 0.3), -0.5), 0.006);
 }
 
-// Two small balls decide how far the fog reaches: 2.8 mean free paths. Beside surfaces the lobe
-// scatters only the four bands that nodes hold of light that was scattered before; the rest is what
-// is left here.
+// Two small balls decide how far the fog reaches: 2.8 mean free paths. The light that the lobe
+// scatters is attenuated as the mean of a 16th of the sky is, which is 1.6% too light at 0.9.
 TEST(ForwardLobe, KeepsAUniformFieldBesideSurfaces) {
   Scene scene;
   scene.camera = {{0, 1.7, 14}, {0, 4, 0}, {0, 1, 0}, 55.0};
@@ -58,8 +57,30 @@ TEST(ForwardLobe, KeepsAUniformFieldBesideSurfaces) {
     scene.surfaces.push_back(placed(Primitive::Shape::sphere, glm::dvec3(0.1), {x, 0.0, x}, 1.0));
   }
   for (const double g : {-0.5, 0.9}) {
-    EXPECT_LT(furnace_error(scene, g, {.nodes = 40'000}), 0.015) << g;
+    EXPECT_LT(furnace_error(scene, g, {.nodes = 40'000}), 0.018) << g;
   }
+}
+
+// A cloud over a floor on which a spot light under it shines, and nothing else.
+Scene over_a_lit_floor() {
+  Scene scene = cloud_scene(20, 1.0);
+  scene.film = {16, 12};
+  scene.camera = {{0, -0.8, 5}, {0, 0.2, 0}, {0, 1, 0}, 40.0};
+  scene.surfaces.push_back(placed(Primitive::Shape::box, {12, 1, 12}, {0, -2, 0}, 0.8));
+  scene.lights = {{{0, -1.2, 0}, glm::dvec3(4.0), light::Spot{{0, -1, 0}, 100.0, 140.0}}};
+  scene.optics.anisotropy = 0.85;
+  return scene;
+}
+
+// By four bands alone the airlight was 17% off, and as much too dark. What is left is of the light
+// on the floor, whose spot is two nodes and a few directions of the eye wide.
+TEST(ForwardLobe, ScattersTheLightOfSurfacesToTheEye) {
+  const Scene scene = over_a_lit_floor();
+  const Frame truth = render_frame(scene, path_traced(4096));
+  const Frame frame = render_frame(scene, all_orders(24));
+  const Difference airlight = difference(frame.airlight, truth.airlight);
+  EXPECT_LT(airlight.relative_rmse, std::hypot(0.09, relative_noise(truth)->airlight));
+  EXPECT_LT(std::abs(airlight.bias), 0.09);
 }
 
 // Walls of a closed room of fog.
