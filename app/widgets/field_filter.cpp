@@ -94,6 +94,10 @@ bool leave_field(QWidget& field) {
   for (QWidget* above = &field; above; above = above->parentWidget()) {
     if (qobject_cast<QDialog*>(above)) return false;
     const auto* main = qobject_cast<QMainWindow*>(above);
+    if (!main && above->isWindow() && above->windowType() == Qt::Window) {
+      field.clearFocus();
+      return true;
+    }
     if (!main) continue;
     QWidget* middle = main->centralWidget();
     if (!middle) return false;
