@@ -43,7 +43,9 @@ class RenderQueue : public QObject {
   [[nodiscard]] int unfinished() const;  // how many wait or are rendered
   [[nodiscard]] int stopped() const;     // how many of an earlier session
 
-  // Its id; 0 if it is refused, as one that has yet to be rendered writes the same file.
+  // False, and refused(), if one that has yet to be rendered writes the same file.
+  [[nodiscard]] bool may_write(const FrameExportRequest& request);
+  // Its id; 0 if it may not write.
   int add(FrameExportRequest request);
   void cancel(int id);  // what waits, at once
   void remove(int id);  // cancels it first
@@ -53,7 +55,7 @@ class RenderQueue : public QObject {
   void move(int id, bool sooner);
   // Moves one that waits before any other; 0: behind all.
   void move_before(int id, int other);
-  // Of those that wait the first with the highest priority is rendered next.
+  // The first of those that wait with the highest priority is rendered next.
   void set_priority(int id, int priority);
 
   // The exporter renders, and tells of single frames.
@@ -70,7 +72,6 @@ class RenderQueue : public QObject {
   [[nodiscard]] Item* item(int id);
   [[nodiscard]] Item* waiting_beside(int id, bool sooner);
   void take_left();
-  [[nodiscard]] bool may_write(const FrameExportRequest& request);
   void erase(int id);
   void update(const Item& item) { kept_.update(item.kept, item.request, item.place); }
   void start_next();

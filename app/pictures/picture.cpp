@@ -29,7 +29,7 @@ QImage shown(const Frame& frame, const DisplayLook& look) {
   return image;
 }
 
-// Those of light, and distances.
+// Adds the layers of light, and distances.
 void add_layers(const Frame& frame, Picture& picture) {
   const auto add = [&picture](const QString& name, int channels, std::vector<float> values) {
     const std::size_t count = static_cast<std::size_t>(picture.width * picture.height * channels);
@@ -132,7 +132,8 @@ std::shared_ptr<const Picture> layer_picture(const Picture& picture, const QStri
   return result;
 }
 
-void save_picture(const Picture& picture, const std::filesystem::path& file, const QString& note) {
+void save_picture(const Picture& picture, const std::filesystem::path& file, const QString& name,
+                  const QString& note) {
   std::vector<std::uint8_t> bytes;
   const auto row = static_cast<std::size_t>(picture.width) * 3;
   bytes.reserve(row * static_cast<std::size_t>(picture.height));
@@ -142,7 +143,7 @@ void save_picture(const Picture& picture, const std::filesystem::path& file, con
   }
   write_png(file, picture.width, picture.height, bytes,
             {{"Software", std::string("Brume ") + version()},
-             {"Title", picture.name.toStdString()},
+             {"Title", name.toStdString()},
              {"Comment", note.toStdString()},
              {"brume:exposure", quoted_text(picture.look.exposure)},
              {"brume:view_transform", view_name(picture.look)},

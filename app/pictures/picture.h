@@ -14,7 +14,7 @@ namespace brume {
 
 struct Settings;
 
-// What a rendered picture has besides its beauty.
+// Data that a rendered picture has besides its beauty.
 struct PictureLayer {
   QString name;               // "airlight", "airlight.light_1"
   int channels = 3;           // or 1
@@ -44,8 +44,8 @@ std::shared_ptr<const Picture> make_picture(const Frame& frame, const DisplayLoo
 std::shared_ptr<const Picture> layer_picture(const Picture& picture, const QString& name);
 
 // Writes what `image` shows as a PNG. Throws InputError.
-void save_picture(const Picture& picture, const std::filesystem::path& file,
-                  const QString& note = {});
+void save_picture(const Picture& picture, const std::filesystem::path& file, const QString& name,
+                  const QString& note);
 
 // "16 slices · 800 × 600 · 1.2 s", of a path-traced frame with its noise.
 QString picture_details(const Frame& frame, const Settings& settings, double milliseconds);

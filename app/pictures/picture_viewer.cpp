@@ -84,7 +84,8 @@ void PictureViewer::add_tools(QBoxLayout& row) {
       [this] { slots_.set(strip_->a(), nullptr); });
   add(tr("Save…"), "save_picture",
       tr("Saves the picture that is shown as A, as it looks, as a PNG with its note"), [this] {
-        if (shown_a_) Q_EMIT save_asked_for(shown_a_, slots_.note(strip_->a()));
+        const std::size_t slot = strip_->a();
+        if (shown_a_) Q_EMIT save_asked_for(shown_a_, slots_.name(slot), slots_.note(slot));
       });
   add(tr("Keep View"), "keep_view", tr("Keeps what the view shows in the next empty slot"),
       [this] { Q_EMIT keep_view_asked_for(); });
@@ -103,10 +104,9 @@ QBoxLayout* PictureViewer::new_side() {
   name_->setToolTip(tr("The name of the picture that is shown as A"));
   note_->setPlaceholderText(tr("Note"));
   note_->setToolTip(tr("What there is to say of the picture that is shown as A"));
-  connect(name_, &QLineEdit::editingFinished, this,
-          [this] { slots_.set_name(strip_->a(), name_->text()); });
-  connect(note_, &QLineEdit::editingFinished, this,
-          [this] { slots_.set_note(strip_->a(), note_->text()); });
+  for (QLineEdit* field : {name_, note_}) {
+    connect(field, &QLineEdit::editingFinished, this, &PictureViewer::take_labels);
+  }
   pixel_->setToolTip(
       tr("Linear radiance of the pixel under the mouse, red, green and blue, or what "
          "the layer has there"));
@@ -173,10 +173,26 @@ void PictureViewer::show_both(const std::shared_ptr<const Picture>& a,
   compare();
 }
 
+void PictureViewer::take_labels() {
+  const auto is_typed = [](QLineEdit& field) {
+    const bool is_modified = field.isModified();
+    field.setModified(false);
+    return is_modified;
+  };
+  if (is_typed(*name_)) slots_.set_name(labelled_, name_->text());
+  if (is_typed(*note_)) slots_.set_note(labelled_, note_->text());
+}
+
 void PictureViewer::show_labels() {
-  for (QLineEdit* field : {name_, note_}) field->setEnabled(a() != nullptr);
-  name_->setText(slots_.name(strip_->a()));
-  note_->setText(slots_.note(strip_->a()));
+  if (labelled_ != strip_->a()) take_labels();
+  labelled_ = strip_->a();
+  const auto show = [this](QLineEdit& field, const QString& text) {
+    field.setEnabled(a() != nullptr);
+    // One may be typing while a render changes the picture.
+    if (!field.hasFocus() || !field.isModified()) field.setText(text);
+  };
+  show(*name_, slots_.name(labelled_));
+  show(*note_, slots_.note(labelled_));
   show_info();
 }
 

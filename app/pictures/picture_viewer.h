@@ -29,7 +29,8 @@ class PictureViewer : public QWidget {
 
  Q_SIGNALS:
   void keep_view_asked_for();
-  void save_asked_for(std::shared_ptr<const brume::Picture> picture, const QString& note);
+  void save_asked_for(std::shared_ptr<const brume::Picture> picture, const QString& name,
+                      const QString& note);
   void visibility_changed(bool visible);
 
  protected:
@@ -42,6 +43,7 @@ class PictureViewer : public QWidget {
   void add_layer_names();  // of A
   void show_pictures();
   void show_both(const std::shared_ptr<const Picture>& a, const std::shared_ptr<const Picture>& b);
+  void take_labels();  // that have been typed
   void show_labels();
   void compare();  // A with B, in the background
   void show_info();
@@ -58,9 +60,10 @@ class PictureViewer : public QWidget {
   QComboBox* layer_;
   QLineEdit* name_;
   QLineEdit* note_;
+  std::size_t labelled_ = 0;  // the slot of both
   QLabel* info_;
   QLabel* pixel_;
-  // What is shown of A and B: they, or a layer.
+  // The pictures that are shown of A and B: they, or a layer.
   std::shared_ptr<const Picture> shown_a_;
   std::shared_ptr<const Picture> shown_b_;
   std::optional<double> difference_;  // of A from B; nullopt: not known

@@ -220,8 +220,9 @@ void FrameOutput::add_docks(QDockWidget* beside) {
   window_.tabifyDockWidget(beside, output_dock_);
 
   connect(queue_, &RenderQueue::rendered, this, [this](int id, const ExportedFrame& made) {
+    const bool is_first = !pictures_->pictures().slot_of_job(id);
     const std::size_t slot = pictures_->pictures().keep_of_job(id, made.picture);
-    if (id == shown_render_) pictures_->show_new(slot);
+    if (is_first && id == shown_render_) pictures_->show_new(slot);
   });
 }
 
@@ -275,6 +276,7 @@ void FrameOutput::render(bool animation) {
     show_output();
     return work_.show_status(tr("An animation needs a file: name it in the panel Output."));
   }
+  if (!queue_->may_write(request)) return;
   if (!request.file.empty() && !may_write(request.file, animation)) return;
   const int id = queue_->add(request);
   if (id == 0) return;

@@ -44,9 +44,11 @@ PictureWindow::PictureWindow(const Workspace& work, FileJobs& jobs, QMainWindow&
 
 // Without a transient parent it is not always above the editor.
 void PictureWindow::show() {
+  viewer_->setWindowState(viewer_->windowState() & ~Qt::WindowMinimized);
   viewer_->show();
   viewer_->windowHandle()->setTransientParent(nullptr);
   viewer_->raise();
+  viewer_->activateWindow();
 }
 
 void PictureWindow::store_place() const {
@@ -75,18 +77,18 @@ void PictureWindow::keep_view() {
   work_.show_status(tr("Kept in slot %1").arg(slot + 1));
 }
 
-void PictureWindow::save_picture(const std::shared_ptr<const Picture>& picture,
+void PictureWindow::save_picture(const std::shared_ptr<const Picture>& picture, const QString& name,
                                  const QString& note) {
   const QString start = last_folder(FileKind::picture, work_.document.folder()) + "/picture.png";
-  const QString name =
+  const QString chosen =
       QFileDialog::getSaveFileName(viewer_, tr("Save Picture"), start, tr("PNG pictures (*.png)"));
-  if (name.isEmpty()) return;
-  std::filesystem::path file = to_path(name);
+  if (chosen.isEmpty()) return;
+  std::filesystem::path file = to_path(chosen);
   if (file.extension().empty()) file += ".png";
   remember_folder(FileKind::picture, file);
   jobs_.start(tr("Saving %1").arg(to_qstring(file.filename())),
-              [this, file, picture, note](const Job&) -> BackgroundJob::Apply {
-                brume::save_picture(*picture, file, note);
+              [this, file, picture, name, note](const Job&) -> BackgroundJob::Apply {
+                brume::save_picture(*picture, file, name, note);
                 return [this, file] { work_.show_status(tr("Saved %1").arg(to_qstring(file))); };
               });
 }

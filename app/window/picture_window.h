@@ -31,7 +31,8 @@ class PictureWindow : public QObject {
 
  private:
   void keep_view();
-  void save_picture(const std::shared_ptr<const Picture>& picture, const QString& note);
+  void save_picture(const std::shared_ptr<const Picture>& picture, const QString& name,
+                    const QString& note);
 
   Workspace work_;
   FileJobs& jobs_;

@@ -195,6 +195,22 @@ class PictureViewerTest : public QObject {
     QVERIFY(pictures.note(0).isEmpty());
   }
 
+  void what_is_typed_stays_while_a_render_goes_on() {
+    TestViewer test;
+    PictureSlots& pictures = test.viewer.pictures();
+    pictures.keep_of_job(3, plain("red", 1.0F));
+    auto* note = test.viewer.findChild<QLineEdit*>("picture_note");
+    QTest::mouseClick(note, Qt::LeftButton);
+    QTest::keyClicks(note, "less");
+    pictures.keep_of_job(3, plain("blue", 0.5F));
+    QTest::keyClicks(note, " fog");
+    QCOMPARE(note->text(), "less fog");
+    // The first picture of another render takes the place of A.
+    test.viewer.show_new(pictures.keep_of_job(4, plain("green", 0.0F)));
+    QCOMPARE(pictures.note(0), "less fog");
+    QVERIFY(note->text().isEmpty() && pictures.note(1).isEmpty());
+  }
+
   void layers_of_pictures_are_shown_compared_and_told() {
     constexpr int width = 40;
     constexpr int height = 30;
@@ -298,6 +314,10 @@ class PictureViewerTest : public QObject {
     auto& viewer = *window->findChild<PictureViewer*>();
     invoke(window, "render.viewer");
     QCOMPARE(viewer.geometry(), place);
+    viewer.showMinimized();
+    window->findChild<QAction*>("render.keep_view")->trigger();
+    QTRY_VERIFY(viewer.pictures().at(0) && !viewer.isMinimized());
+    viewer.pictures().set(0, nullptr);
     // Keys of renders are its own, too; it goes with the window.
     QTest::keyClick(&viewer, Qt::Key_F9);
     QTRY_VERIFY(viewer.pictures().at(0));
@@ -305,16 +325,33 @@ class PictureViewerTest : public QObject {
     QVERIFY(!viewer.isVisible());
   }
 
+  void a_click_after_typing_leaves_the_viewer_active() {
+    TestWindow window(tiny_scene());
+    auto& viewer = *window->findChild<PictureViewer*>();
+    invoke(window, "render.viewer");
+    viewer.pictures().keep(plain("a", 1.0F));
+    QTRY_VERIFY(viewer.isActiveWindow());
+    auto& name = *viewer.findChild<QLineEdit*>("picture_name");
+    QTest::mouseClick(&name, Qt::LeftButton);
+    QTest::keyClicks(&name, "b");
+    QTest::mouseClick(viewer.findChild<PictureCanvas*>(), Qt::LeftButton);
+    QCOMPARE(viewer.pictures().name(0), "ab");
+    QVERIFY(!name.hasFocus());
+    QCoreApplication::processEvents();
+    QVERIFY(viewer.isActiveWindow());
+  }
+
   void pictures_are_saved_as_they_look() {
     const QTemporaryDir folder;
     const auto picture = plain("a", 0.5F);
     const std::filesystem::path file = to_path(folder.filePath("a.png"));
-    save_picture(*picture, file, "a note");
+    save_picture(*picture, file, "a name", "a note");
+    QCOMPARE(QImage(to_qstring(file)).text("Title"), "a name");
     QCOMPARE(QImage(to_qstring(file)).text("Comment"), "a note");
     const QImage saved = QImage(to_qstring(file)).convertToFormat(picture->image.format());
     QCOMPARE(saved.size(), picture->image.size());
     QCOMPARE(saved.pixelColor(3, 4), picture->image.pixelColor(3, 4));
-    QVERIFY_EXCEPTION_THROWN(save_picture(*picture, file / "b.png"), InputError);
+    QVERIFY_EXCEPTION_THROWN(save_picture(*picture, file / "b.png", "b", {}), InputError);
   }
 
   void the_view_is_kept() {
