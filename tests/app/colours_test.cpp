@@ -135,6 +135,9 @@ class ColoursTest : public QObject {
     QCOMPARE(optics(0).emission, glm::dvec3(2.0, 3.0, 0.5));
     type_into(0, 6, "#00f");  // as bright
     QCOMPARE(optics(0).emission, glm::dvec3(0.0, 0.0, 3.0));
+    type_into(0, 6, "#000");
+    QCOMPARE(optics(0).emission, glm::dvec3(0.0));
+    type_into(0, 6, "3");
     type_into(0, 6, "1850 K");
     QVERIFY(glm::length(optics(0).emission - 3.0 * black_body_color(1850.0)) < 1e-9);
     const int steps = step_count(document);

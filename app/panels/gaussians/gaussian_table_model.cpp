@@ -247,7 +247,7 @@ QString GaussianTableModel::set_color(std::span<const GaussianId> ids, GaussianA
   change_optics(document_, ids, [&color, field](GaussianOptics& optics) {
     if (field == GaussianAttribute::albedo) {
       optics.albedo = color.linear;
-    } else if (color.is_shade) {
+    } else if (color.is_shade && color.linear != glm::dvec3(0.0)) {
       const double strength = emission_strength(optics.emission);
       optics.emission = (strength > 0.0 ? strength : 1.0) * emission_color(color.linear);
     } else {
