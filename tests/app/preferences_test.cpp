@@ -261,6 +261,8 @@ class PreferencesTest : public QObject {
       steps.setFocus();
       steps.selectAll();
       QTest::keyClicks(&steps, "12");
+      QCOMPARE(InterfaceSettings::instance().undo_limit(), 0);
+      QTest::keyClick(&steps, Qt::Key_Return);
       window.part<QSpinBox>("frame_memory").setValue(64);
       window.document().create();
       QCOMPARE(window.document().undo_stack().undoLimit(), 12);

@@ -204,6 +204,7 @@ void Preferences::add_limits() {
   // Below the smallest limit is none.
   steps->setRange(InterfaceSettings::min_undo_limit - 1, InterfaceSettings::max_undo_limit);
   steps->setSpecialValueText(tr("all"));
+  steps->setKeyboardTracking(false);
   steps->setValue(settings.undo_limit());
   connect(steps, &QSpinBox::valueChanged, this, [&settings, steps](int count) {
     settings.set_undo_limit(count == steps->minimum() ? 0 : count);
@@ -215,6 +216,7 @@ void Preferences::add_limits() {
                "without rendering"));
   memory->setRange(InterfaceSettings::min_frame_memory, InterfaceSettings::max_frame_memory);
   memory->setSuffix(tr(" MB"));
+  memory->setKeyboardTracking(false);
   memory->setValue(settings.frame_memory());
   connect(memory, &QSpinBox::valueChanged, this,
           [&settings](int megabytes) { settings.set_frame_memory(megabytes); });
