@@ -24,8 +24,11 @@ void install(QTranslator* translator, const QString& name, const QString& folder
   if (translator->load(name, folder)) QCoreApplication::installTranslator(translator);
 }
 
+// The system's language of numbers may be another one than that of texts.
 bool is_german(Language language) {
-  if (language == Language::system) return QLocale::system().language() == QLocale::German;
+  if (language == Language::system) {
+    return QLocale(QLocale::system().uiLanguages().value(0)).language() == QLocale::German;
+  }
   return language == Language::german;
 }
 
