@@ -97,8 +97,11 @@ int main(int argc, char* argv[]) {
     }
     window.resize(size);
   }
-  if (parser.isSet("screenshot")) window.quit_with_screenshot(parser.value("screenshot"));
-  window.keep_layout();
+  if (parser.isSet("screenshot")) {
+    window.quit_with_screenshot(parser.value("screenshot"));
+  } else {
+    window.keep_layout();
+  }
   window.show();
   const QStringList scenes = parser.positionalArguments();
   if (scenes.isEmpty()) {
