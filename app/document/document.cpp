@@ -43,23 +43,6 @@ bool contains(const std::vector<GaussianId>& sorted, GaussianId id) {
   return std::binary_search(sorted.begin(), sorted.end(), id);
 }
 
-// Finds the places that the objects of a part will have, if some come or go.
-std::optional<ObjectPlaces> places_after(const Scene& scene, const ScenePart& part) {
-  const auto* cameras = std::get_if<CameraList>(&part);
-  if (cameras && cameras->others.size() != scene.cameras.size()) {
-    return ObjectPlaces{index_of<Cameras>(), places_in(cameras->others, scene.cameras)};
-  }
-  const auto find = [&part]<class T>(const std::vector<T>& objects) -> std::optional<ObjectPlaces> {
-    const auto* list = std::get_if<std::vector<T>>(&part);
-    if (!list || list->size() == objects.size()) return std::nullopt;
-    return ObjectPlaces{part.index(), places_in(*list, objects)};
-  };
-  if (auto places = find(scene.lights)) return places;
-  if (auto places = find(scene.surfaces)) return places;
-  if (auto places = find(scene.emitters)) return places;
-  return find(scene.groups);
-}
-
 }  // namespace
 
 Document::Document(QObject* parent) : QObject(parent), scene_(new_scene()) {}
@@ -354,7 +337,7 @@ void Document::apply(const MediumEdit& edit) {
 }
 
 void Document::set_part(const ScenePart& part) {
-  const std::optional<ObjectPlaces> places = places_after(scene_, part);
+  const std::vector<ObjectPlaces> places = places_after(scene_, part);
   set_scene_part(scene_, part);
   if (std::holds_alternative<Splines>(part)) {
     scene_changed();
@@ -380,7 +363,9 @@ void Document::set_part(const ScenePart& part) {
     active_group_ = 0;
     what |= Change::active_group;
   }
-  Q_EMIT changed({.what = what, .places = places ? &*places : nullptr});
+  // Each part whose objects have other places is told of by itself.
+  for (const ObjectPlaces& of_part : places) Q_EMIT changed({.what = what, .places = &of_part});
+  if (places.empty()) announce(what);
   if (are_groups) select(selection_);
 }
 

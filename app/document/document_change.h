@@ -31,7 +31,7 @@ Q_DECLARE_OPERATORS_FOR_FLAGS(Changes)
 struct DocumentChange {
   Changes what;
   const MediumEdit* edit = nullptr;      // of Change::medium; else null
-  const ObjectPlaces* places = nullptr;  // of Change::part if objects came or went; else null
+  const ObjectPlaces* places = nullptr;  // of a part whose objects have other places; else null
 };
 
 }  // namespace brume

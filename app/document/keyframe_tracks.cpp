@@ -131,7 +131,9 @@ Track surface_value(const Surfaces& surfaces, std::size_t index, std::string_vie
 // Calls visit(Keyed, object, its keys) for what can have keyframes, in the order of tracks
 // and of the values of each part; with the medium for its density, and with all surfaces at once.
 void visit_objects(const Scene& scene, auto&& visit) {
-  visit(Keyed{track_text("Camera"), index_of<KeyedCamera>()}, scene.camera, scene.camera_keys);
+  const QString in_use =
+      scene.cameras.empty() ? track_text("Camera") : QString::fromStdString(scene.camera_name);
+  visit(Keyed{in_use, index_of<KeyedCamera>()}, scene.camera, scene.camera_keys);
   for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
     const NamedCamera& camera = scene.cameras[k];
     visit(Keyed{QString::fromStdString(camera.name), index_of<Cameras>(), k}, camera.camera,

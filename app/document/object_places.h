@@ -5,9 +5,12 @@
 #include <optional>
 #include <vector>
 
+#include "app/document/scene_part.h"
+
 namespace brume {
 
-// The places of a scene part's objects after an edit that some of them came or went by.
+// The places of a scene part's objects after an edit by which some of them came, went or changed
+// places.
 struct ObjectPlaces {
   std::size_t part = 0;                            // index of ScenePart
   std::vector<std::optional<std::size_t>> places;  // by the place before; nullopt: it went
@@ -46,5 +49,8 @@ std::vector<std::optional<std::size_t>> places_in(const std::vector<T>& objects_
   }
   return places;
 }
+
+// Finds the places that the objects of a part will have, if some come, go or change places.
+std::vector<ObjectPlaces> places_after(const Scene& scene, const ScenePart& part);
 
 }  // namespace brume

@@ -3,6 +3,7 @@
 #include <QLineEdit>
 #include <QWheelEvent>
 
+#include "app/commands/edit_cameras.h"
 #include "app/commands/edit_objects.h"
 #include "app/document/timeline.h"
 #include "app/panels/time/dope_sheet.h"
@@ -215,6 +216,34 @@ class DopeSheetTest : public QObject {
     QTest::keyClick(&sheet, Qt::Key_Delete);
     QCOMPARE(document.scene().lights[0].keys.intensity.size(), 1u);
     QVERIFY(document.scene().lights[1].keys.intensity.empty());
+  }
+
+  void keys_stay_with_their_camera_when_another_one_is_used() {
+    Scene scene = small_scene();
+    scene.camera_keys.roll = {{.time = 0.0, .value = 5.0}};
+    scene.cameras = {{"aside", scene.camera, scene.camera_keys}};
+    Desk desk(scene);
+    Document& document = desk.document();
+    DopeSheet& sheet = *desk.findChild<DopeSheet*>("keys");
+    const auto choose_key = [&](std::size_t row) {
+      QTest::mouseClick(&sheet, Qt::LeftButton, {}, sheet.name_position(row));
+      QTest::mouseClick(&sheet, Qt::LeftButton, {}, sheet.position(row, 0));
+    };
+    choose_key(3);
+    QCOMPARE(sheet.selection().keys().size(), 1u);
+    rename_camera(document, "aside", "front");
+    QCOMPARE(sheet.selection().keys().size(), 1u);
+    use_camera(document, "front");
+    QCOMPARE(sheet.rows()[0].text, "front");
+    QCOMPARE(sheet.rows()[2].text, "Camera");
+    QVERIFY(sheet.selection().empty() && sheet.chosen().empty());
+    QTest::keyClick(&sheet, Qt::Key_Delete);
+    QCOMPARE(document.scene().camera_keys.roll.size(), 1u);
+    QCOMPARE(document.scene().cameras[0].keys.roll.size(), 1u);
+    choose_key(1);
+    QCOMPARE(sheet.selection().keys().size(), 1u);
+    delete_camera(document, "front");
+    QVERIFY(sheet.selection().empty());
   }
 
   void lights_of_one_name_are_two_objects() {
