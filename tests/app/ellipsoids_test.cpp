@@ -211,6 +211,8 @@ class EllipsoidsTest : public QObject {
     QCOMPARE(rows("elongation > 1"), 2);
     QCOMPARE(rows("el > 2.9"), 1);
     QCOMPARE(rows("e > 1"), 0);  // the emission
+    QCOMPARE(rows("centre x < 1e6"), rows("center x < 1e6"));
+    QVERIFY(rows("centre x < 1e6") > 0 && rows("centre x > 1e6") == 0);
     QCOMPARE(rows("radius x = 0.3, radius y < 0.5"), 1);
     filter->clear();
 

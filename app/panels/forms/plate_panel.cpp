@@ -19,6 +19,7 @@
 #include "app/widgets/rows.h"
 #include "brume/error.h"
 #include "core/io/frame_pattern.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {
@@ -192,8 +193,10 @@ void PlatePanel::restore() {
   for (const QVariant& entry : QSettings().value(plates_key).toList()) {
     if (scene.isEmpty() || scene_of(entry) != scene) continue;
     const QVariantMap values = entry.toMap();
+    const double opacity = values.value("opacity").toDouble();
+    const bool is_allowed = domain::unit.contains(opacity);
     plates_[key_of(values.value("camera").toString())] = {values.value("picture").toString(),
-                                                          values.value("opacity").toDouble(),
+                                                          is_allowed ? opacity : Plate().opacity,
                                                           values.value("sequence").toBool()};
   }
   show_plate();
@@ -253,7 +256,7 @@ void PlatePanel::show_frame(int frame) {
 void PlatePanel::show_plate() {
   const Plate shown = plate_of(in_use());
   const std::pair wanted(shown.file, shown.is_sequence ? frame_ : -1);
-  // In playback frames that come while one is read are left out.
+  // Frames that come while one is read are left out of playback.
   const bool is_same = wanted.first == shown_.first;
   if (wanted != shown_ && !(is_same && reading_.is_running())) {
     if (!is_same) picture_ = {};

@@ -24,8 +24,9 @@ std::optional<GaussianAttribute> attribute_called(const QString& name) {
   if (QString(attribute_id(GaussianAttribute::elongation)).startsWith(name)) {
     return GaussianAttribute::elongation;
   }
-  const auto found = std::ranges::find(gaussian_attributes, QString(name).replace(' ', '_'),
-                                       attribute_id);  // "radius x"
+  // "radius x" and "centre x"
+  const QString id = QString(name).replace(' ', '_').replace("centre", "center");
+  const auto found = std::ranges::find(gaussian_attributes, id, attribute_id);
   return found == gaussian_attributes.end() ? std::nullopt : std::optional(*found);
 }
 
