@@ -46,7 +46,7 @@ class Document : public QObject {
   [[nodiscard]] std::shared_ptr<const Scene> visible_snapshot() const;
 
   [[nodiscard]] QUndoStack& undo_stack() { return undo_stack_; }
-  // How many steps can be undone; 0: all. A history that has steps keeps its limit.
+  // Limits the steps that can be undone; 0: all. A history that has steps keeps its limit.
   void set_undo_limit(int steps);
   [[nodiscard]] LastOperation& last_operation() { return last_operation_; }
   [[nodiscard]] const LastOperation& last_operation() const { return last_operation_; }

@@ -69,7 +69,7 @@ QString attribute_problem(GaussianAttribute field, double value);
 // Parses a number or arithmetic expression (see evaluate()); NaN otherwise.
 double parse_number(const QString& text);
 
-// "Gaussian" for one, "3 Gaussians" for three.
-QString gaussians_text(std::size_t count);  // "3 Gaussians"
+// "1 Gaussian" for one, "3 Gaussians" for three.
+QString gaussians_text(std::size_t count);
 
 }  // namespace brume

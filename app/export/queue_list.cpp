@@ -68,7 +68,7 @@ class QueueRows : public QTreeWidget {
   Moved moved_;
 };
 
-// What a render has done and has to do yet.
+// Tells what a render has done and has to do yet.
 QString details_text(const RenderQueue& queue, const RenderQueue::Item& item) {
   QStringList parts;
   if (const auto& range = item.request.range) {

@@ -14,7 +14,7 @@ constexpr int values = 256;
 constexpr int max_pixels = 400'000;  // that are looked at
 constexpr int max_columns = 512;
 
-// How many pixels have a value, by channel, column and value.
+// The number of pixels that have a value, by channel, column and value.
 class Counts {
  public:
   explicit Counts(int columns)

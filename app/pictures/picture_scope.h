@@ -5,7 +5,7 @@
 
 namespace brume {
 
-// How the values of a shown picture are spread: how many pixels have each value, or the values of
+// Shows how the values of a picture are spread: how many pixels have each value, or the values of
 // each column of pixels.
 class PictureScope : public QWidget {
   Q_OBJECT

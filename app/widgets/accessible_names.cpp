@@ -40,7 +40,7 @@ QString label_before(const QWidget& widget) {
   return {};
 }
 
-// What the widget is among others of its row.
+// The text that tells the widget from others of its row.
 QString own_text(const QWidget& widget) {
   const auto* number = qobject_cast<const ValueField*>(widget.parentWidget());
   if (number && &number->number() == &widget) return number->title();

@@ -25,7 +25,7 @@ constexpr const char* undo_key = "interface/undo_limit";
 constexpr const char* frames_key = "interface/frame_memory_mb";
 constexpr int default_frame_memory = 512;
 
-// In the order of the enumeration.
+// The codes, in the order of the enumeration.
 constexpr std::array languages{"", "en", "de"};
 
 Language language_of(const QString& code) {

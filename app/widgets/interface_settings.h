@@ -34,7 +34,7 @@ class InterfaceSettings : public QObject {
   void set_handle_scale(double scale);
   [[nodiscard]] double handle_scale() const { return handle_scale_; }
 
-  // From the next start on: the language, and the scale of letters and widgets (0: by the screen).
+  // The language, and the scale of letters and widgets (0: by the screen), from the next start on.
   [[nodiscard]] Language language() const { return language_; }
   void set_language(Language language);
   static constexpr double min_interface_scale = 0.5;
@@ -42,7 +42,7 @@ class InterfaceSettings : public QObject {
   [[nodiscard]] double interface_scale() const { return interface_scale_; }
   void set_interface_scale(double scale);
 
-  // How many steps can be undone; 0: all.
+  // The number of steps that can be undone; 0: all.
   static constexpr int min_undo_limit = 10;
   static constexpr int max_undo_limit = 100'000;
   [[nodiscard]] int undo_limit() const { return undo_limit_; }

@@ -122,7 +122,7 @@ void assign(const std::vector<Entry>& entries) {
   }
 }
 
-// Of a menu, or a bar of menus.
+// The entries of a menu, or a bar of menus.
 std::vector<Entry> menu_entries(const QWidget& menu) {
   std::vector<Entry> entries;
   for (QAction* action : menu.actions()) {

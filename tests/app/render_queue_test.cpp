@@ -100,7 +100,7 @@ class RenderQueueTest : public QObject {
       QCOMPARE(titles(listed.queue), "a b c d");
       drag(2, 1, 1 - height() / 2);
       QCOMPARE(titles(listed.queue), "a c b d");
-      // What is being rendered stays where it is.
+      // The render that is going on stays where it is.
       drag(0, 3, height() / 2 - 1);
       QCOMPARE(titles(listed.queue), "a c b d");
       listed.choose(3);

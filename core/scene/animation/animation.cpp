@@ -10,7 +10,7 @@
 namespace brume {
 namespace {
 
-// What a frame of the scene shows.
+// Visits all values that a frame of the scene shows.
 void visit_all(auto& scene, double& homogeneous_density, auto&& visit) {
   visit_keyed(scene.camera, scene.camera_keys, visit);
   visit_keyed_density(homogeneous_density, scene.density_keys, visit);
