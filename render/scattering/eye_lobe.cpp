@@ -435,8 +435,7 @@ EyeLobe::EyeLobe(const SourceGrid& grid, const SentLight& sent, const LobedMediu
 }
 
 glm::vec3 EyeLobe::at(const glm::vec3& offset, const glm::vec3& w, float t) const {
-  const float forward = glm::dot(w, places_.forward);
-  const glm::vec4 on_film(offset + w / std::max(forward, 1e-6f), 1.0f);
+  const glm::vec4 on_film(offset + w / glm::dot(w, places_.forward), 1.0f);
   const glm::vec3 last(size - 1);
   const float beyond = std::max(t - places_.start, 0.0f);
   const glm::vec3 place =

@@ -44,7 +44,7 @@ uniform float eye_lobe_distance;
 vec3 eye_lobe(vec3 offset, vec3 w, float t) {
   if (eye_lobe_at == 0) return vec3(0.0);
   const float beyond = max(t - eye_lobe_start, 0.0);
-  const vec4 on_film = vec4(offset + w / max(dot(w, eye_lobe_forward), 1e-6), 1.0);
+  const vec4 on_film = vec4(offset + w / dot(w, eye_lobe_forward), 1.0);
   const vec3 place = clamp(vec3(dot(eye_lobe_x, on_film), dot(eye_lobe_y, on_film),
                                 float(eye_lobe_size.z) * beyond / (beyond + eye_lobe_distance)),
                            vec3(0.0), vec3(eye_lobe_size.xyz - 1));
