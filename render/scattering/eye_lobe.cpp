@@ -89,7 +89,7 @@ glm::vec3 Scatter(const SeenSurfels& surfels, const Lobe& lobe, const Scattering
     for (std::size_t k = lobe.rest.size() - 1; k-- > 0;) {
       rest = hn::MulAdd(rest, cosine, set(lobe.rest[k]));
     }
-    // As if eye, place and surfel were in one line.
+    // Eye, place and surfel count as in one line.
     const V passing = hn::Mul(load(surfels.passing, i), set(place.attenuation));
     const V passes = hn::Min(passing, hn::Div(set(1.0f), hn::Max(passing, tiny)));
     const V weight = hn::Mul(hn::Mul(hn::Sub(whole, rest), solid_angle), passes);
@@ -114,7 +114,7 @@ HWY_EXPORT(Scatter);
 // Rays that find surfaces, about 3 degrees apart.
 constexpr int direction_count = 6144;
 
-// Evenly over the sphere, the same for all eyes.
+// They are even over the sphere, and the same for all eyes.
 std::vector<glm::dvec3> even_directions() {
   std::vector<glm::dvec3> result;
   const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
@@ -147,8 +147,8 @@ glm::ivec3 cell_of(const SourceGrid::Level& level, const glm::dvec3& cells) {
                     glm::max(level.nodes.count - 2, 0));
 }
 
-// What the nodes at the corners of its cell see of a surface near a point of it: their mean,
-// weighted by nearness. Nothing if they see none that faces like it.
+// The mean radiance that the nodes around a point of a surface see near it, weighted by nearness.
+// Nothing if they see no surface that faces like it.
 std::optional<glm::vec3> radiance_at(const SourceGrid::Level& level, const SentLight& sent,
                                      std::span<const float> reflected, const SurfacePoint& point) {
   if (!level.surfaces || level.surfaces->surfels().empty()) return std::nullopt;
@@ -188,7 +188,7 @@ std::optional<glm::vec3> radiance_at(const SourceGrid::Level& level, const SentL
   return sent.color * sum / weights;
 }
 
-// In the finest level that knows it.
+// The finest level that knows the surface tells.
 glm::vec3 radiance_at(const SourceGrid& grid, const SentLight& sent, const SurfacePoint& point) {
   const auto levels = grid.levels();
   for (std::size_t k = 0; k < levels.size(); ++k) {
@@ -209,7 +209,7 @@ class ViewDepths {
     });
   }
 
-  // Of the first `distance` from a point on. The grid is as fine as the answer.
+  // The depth of the first `distance` from a point on, as fine as the grid is.
   [[nodiscard]] double operator()(const glm::dvec3& begin, const glm::dvec3& w,
                                   double distance) const {
     double depth = 0.0;
@@ -228,7 +228,7 @@ class ViewDepths {
   }
 
  private:
-  // Of the Gaussians, as the grid has it.
+  // The density of the Gaussians, as the grid has it.
   [[nodiscard]] double density(const glm::dvec3& point) const {
     for (const SourceGrid::Level& level : grid_.levels()) {
       const glm::dvec3 cells = in_cells(level, point);

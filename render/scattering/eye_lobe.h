@@ -16,7 +16,7 @@
 
 namespace brume {
 
-// What surfaces send, for an EyeLobe.
+// Surfaces and the light that they send.
 struct SentLight {
   const RayCaster& ray_caster;
   std::span<const Surface> surfaces;

@@ -334,7 +334,7 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
   std::vector<double> phase = truncation.phase;
   for (double& factor : phase) factor *= truncation.albedo;
   solutions_.resize(levels.size());
-  reflected_.resize(levels.size());
+  reflected_.assign(levels.size(), {});
   std::vector<NodeLight> solved(levels.size());
   std::vector<OuterLevel> outer;  // the finest first
   for (std::size_t k = levels.size(); k-- > 0;) {
@@ -365,9 +365,12 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
       return false;
     }
     solutions_[k] = Solution{level.first, level.nodes, scattered};
-    // Of all orders.
-    if (level.surfaces) add(reflected_light(*level.surfaces, scattered), light.reflected);
-    reflected_[k] = light.reflected;
+    // All orders count for the levels within, and for what the forward lobe scatters to the eye.
+    const bool has_lobe = truncation.extinction < 1.0;
+    if (level.surfaces && (k > 0 || has_lobe)) {
+      add(reflected_light(*level.surfaces, scattered), light.reflected);
+    }
+    if (has_lobe) reflected_[k] = light.reflected;
     if (k > 0) {
       add(scattered.values, light.incident.values);
       const SourceGrid::Level& finer = levels[k - 1];

@@ -51,7 +51,8 @@ class MultipleScattering {
   [[nodiscard]] Revision revision() const { return revision_; }
   [[nodiscard]] std::span<const NodeLight> levels() const { return levels_; }
   [[nodiscard]] const glm::vec3& color() const { return color_; }
-  // Per level, what surfaces send of all orders, in as many channels; see reflected_light().
+  // Per level, what surfaces send of all orders, in as many channels, see reflected_light(); empty
+  // if the medium has no forward lobe.
   [[nodiscard]] std::span<const std::vector<float>> reflected() const { return reflected_; }
   // Of the finest level.
   [[nodiscard]] const Convergence& convergence() const { return convergence_; }

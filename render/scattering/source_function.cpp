@@ -238,6 +238,10 @@ void SourceFunction::find_eye_lobe(const Input& input, bool is_same_light, const
                multiple_.levels().front().channels, multiple_.color()},
               {anisotropy_, extinction_, input.medium.homogeneous_density(), input.fog_ball},
               *multiple.view, job);
+  if (job.stop.stop_requested()) {
+    eye_lobe_ = {};
+    view_ = {};
+  }
 }
 
 // Of where receivers are only that counts which decides on the grid.

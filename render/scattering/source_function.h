@@ -75,7 +75,7 @@ class SourceFunction {
   // bands scatter on the way to the eye, relative to the medium's: with more than one scattering,
   // what the forward lobe scatters goes on. See TruncatedScattering.
   [[nodiscard]] double light_extinction() const { return extinction_; }
-  // What that lobe scatters to the eye of the light of surfaces.
+  // The light of surfaces that this lobe scatters to the eye.
   [[nodiscard]] const EyeLobe& eye_lobe() const { return eye_lobe_; }
   [[nodiscard]] const PhaseBands& phase() const { return phase_; }
   // Of light that is scattered more than once; empty if there is none.
@@ -177,7 +177,7 @@ class SourceFunction {
   Revision added_ = 0;
   double added_scale_ = 0.0;
   EyeLobe eye_lobe_;
-  // The camera's of that.
+  // The camera that eye_lobe_ is of.
   struct View {
     glm::dvec3 eye{0.0};
     CameraRays::FilmPlane plane{};

@@ -1,5 +1,5 @@
-// What programs that read the screen, and the keyboard, need: names of all widgets, letters of all
-// entries; and how menus and dialogs are titled.
+// Programs that read the screen, and the keyboard, have what they need: names of all widgets,
+// letters of all entries; and how menus and dialogs are titled.
 
 #include <QAbstractButton>
 #include <QAccessible>
