@@ -14,7 +14,7 @@
 #include "render/lights/distant_lights.h"
 #include "render/lights/emission_lights.h"
 #include "render/motion.h"
-#include "render/scattering/eye_lobe.h"
+#include "render/scattering/lobe/eye_lobe.h"
 #include "render/scattering/multiple_scattering.h"
 #include "render/scattering/source_grid.h"
 #include "render/scattering/source_lookup.h"

@@ -73,13 +73,6 @@ std::vector<ParallelCase> parallel_cases() {
 // pixels see what is 0.01 u beside.
 constexpr double distance_of_afar = 300.0;
 constexpr double difference_of_afar = 0.012;
-// The same of the light of surfaces that the forward lobe scatters.
-constexpr double difference_of_tables = 0.08;
-
-bool scatters_by_a_lobe(const Scene& scene, const Settings& settings) {
-  return settings.scattering == Scattering::multiple && !scene.surfaces.empty() &&
-         scene.optics.anisotropy > 0.0;
-}
 
 void expect_limit_of_pinholes(const Settings& settings, const char* method,
                               double bound = difference_of_afar) {
@@ -89,9 +82,7 @@ void expect_limit_of_pinholes(const Settings& settings, const char* method,
     const Frame frame = render_frame(parallel, settings);
     const Frame limit = render_frame(seen_from_afar(parallel, distance_of_afar), settings);
     expect_finite(frame);
-    // What the lobe scatters to the eye is tabulated: its layers lie elsewhere for another eye.
-    const bool has_lobe = scatters_by_a_lobe(scene, settings);
-    EXPECT_LT(rel_rmse(frame.airlight, limit.airlight), has_lobe ? difference_of_tables : bound);
+    EXPECT_LT(rel_rmse(frame.airlight, limit.airlight), bound);
     EXPECT_LT(rel_rmse(frame.transmittance, limit.transmittance), bound);
     EXPECT_LT(rel_rmse(frame.beauty, limit.beauty), bound);
   }

@@ -79,8 +79,26 @@ TEST(ForwardLobe, ScattersTheLightOfSurfacesToTheEye) {
   const Frame truth = render_frame(scene, path_traced(4096));
   const Frame frame = render_frame(scene, all_orders(24));
   const Difference airlight = difference(frame.airlight, truth.airlight);
-  EXPECT_LT(airlight.relative_rmse, std::hypot(0.09, relative_noise(truth)->airlight));
-  EXPECT_LT(std::abs(airlight.bias), 0.09);
+  EXPECT_LT(airlight.relative_rmse, std::hypot(0.06, relative_noise(truth)->airlight));
+  EXPECT_LT(std::abs(airlight.bias), 0.06);
+}
+
+// At the horizon rays run along the floor, whose parts are seen at grazing angles. There the
+// airlight was 13% too dark: what the table lacks below the floor came from rays above it. What is
+// left is of the grid's nodes: 1 to 2% less with 300,000.
+TEST(ForwardLobe, ScattersTheLightOfAFloorUpToTheHorizon) {
+  Scene scene;
+  scene.film = {12, 8};
+  scene.camera = {{-4, 1.7, 24}, {-6, 1.2, 0}, {0, 1, 0}, 12.0};
+  scene.medium.set_homogeneous_density(0.0017);
+  scene.optics.anisotropy = 0.85;
+  scene.lights = {{{}, glm::dvec3(5.0), light::Directional{{0, -1, 0}}}};
+  scene.surfaces.push_back(placed(Primitive::Shape::plane, {174, 1, 174}, {0, 0, 0}, 0.5));
+  const Frame truth = render_frame(scene, path_traced(4096));
+  const Frame frame = render_frame(scene, all_orders(24, {.nodes = 40'000}));
+  const Difference airlight = difference(frame.airlight, truth.airlight);
+  EXPECT_LT(std::abs(airlight.bias), 0.05);
+  EXPECT_LT(airlight.relative_rmse, std::hypot(0.06, relative_noise(truth)->airlight));
 }
 
 // Walls of a closed room of fog.

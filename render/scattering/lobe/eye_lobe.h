@@ -9,30 +9,13 @@
 
 #include "brume/revision.h"
 #include "core/scene/camera_rays.h"
-#include "render/geometry/fog_ball.h"
+#include "render/scattering/lobe/lobe_columns.h"
+#include "render/scattering/lobe/seen_surfels.h"
+#include "render/scattering/lobe/view_depths.h"
 #include "render/scattering/source_grid.h"
 #include "render/util/job.h"
-#include "render/visibility/ray_caster.h"
 
 namespace brume {
-
-// Surfaces and the light that they send.
-struct SentLight {
-  const RayCaster& ray_caster;
-  std::span<const Surface> surfaces;
-  // Radiance per level of the grid, as reflected_light(): of one channel times `color`, or three.
-  std::span<const std::vector<float>> reflected;
-  std::size_t channels;
-  glm::vec3 color;
-};
-
-// A medium around them, whose phase function has a forward lobe.
-struct LobedMedium {
-  double anisotropy;
-  double grid_extinction;  // of the grid's densities, relative to the medium's
-  double fog_density;      // [1/u]
-  FogBall fog;
-};
 
 // The part of the source function that a SourceGrid's bands do not hold of the light that surfaces
 // send: what the forward lobe of the phase function scatters to the eye. It changes within few
@@ -51,7 +34,7 @@ class EyeLobe {
 
   // The table, x fastest, R G B 0; and where a place is in it: per axis x and y the dot product of
   // (offset + w / (w . forward), 1) and `film`, along z scaled by `distance`.
-  static constexpr glm::ivec3 size{24, 16, 20};
+  static constexpr glm::ivec3 size = LobeColumns::size;
   struct Places {
     std::array<glm::vec4, 2> film{};
     glm::vec3 forward{0.0f};

@@ -1,0 +1,116 @@
+#include "render/scattering/lobe/lobe_columns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <utility>
+
+namespace brume {
+namespace {
+
+constexpr std::size_t column_index(int x, int y) {
+  return static_cast<std::size_t>(y * LobeColumns::size.x + x);
+}
+
+constexpr std::size_t first_of(int layer) {
+  return static_cast<std::size_t>(layer) * LobeColumns::count();
+}
+
+// 0: none is finite.
+double median_of_finite(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+}  // namespace
+
+LobeColumns::LobeColumns(const CameraRays& rays, const RayCaster& ray_caster,
+                         std::span<const Surface> surfaces, double start, double min_distance)
+    : eye_(rays.eye()), start_(start) {
+  for (int y = 0; y < size.y; ++y) {
+    for (int x = 0; x < size.x; ++x) {
+      const glm::dvec2 place =
+          glm::dvec2(rays.whole_size()) * glm::dvec2(x, y) / glm::dvec2(size.x - 1, size.y - 1);
+      directions_.push_back(rays.whole_direction(place));
+      offsets_.push_back(rays.whole_offset(place));
+    }
+  }
+  std::vector<SurfaceHit> hits(count());
+  ray_caster.first_hits(
+      rays, directions_,
+      rays.is_parallel() ? std::span(std::as_const(offsets_)) : std::span<const glm::dvec3>(),
+      hits);
+  for (std::size_t i = 0; i < count(); ++i) {
+    SurfacePoint point;
+    if (hits[i] && !hits[i].is_light()) {
+      point = ray_caster.point(hits[i], eye_ + offsets_[i], directions_[i], surfaces);
+    }
+    surfaces_.push_back(hits[i].distance);
+    points_.push_back(point.position);
+    normals_.push_back(point.normal);
+  }
+  distance_ = std::max(median_of_finite(surfaces_) - start, min_distance);
+}
+
+double LobeColumns::end(std::size_t column) const {
+  constexpr double gathered = 0.75;
+  return start_ + gathered * (surfaces_[column] - start_);
+}
+
+void LobeColumns::fill_hidden(std::span<glm::vec4> values) const {
+  for (int layer = 0; layer < size.z; ++layer) {
+    std::vector<bool> is_hidden(count());
+    for (std::size_t i = 0; i < count(); ++i) is_hidden[i] = hides(i, layer);
+    for (bool changes = true; changes;) {
+      changes = false;
+      const std::vector<bool> was_hidden = is_hidden;
+      for (int y = 0; y < size.y; ++y) {
+        for (int x = 0; x < size.x; ++x) {
+          const std::size_t column = column_index(x, y);
+          if (!was_hidden[column]) continue;
+          const std::optional<glm::vec4> value = beside(values, {x, y, layer}, was_hidden);
+          if (!value) continue;
+          values[first_of(layer) + column] = *value;
+          is_hidden[column] = false;
+          changes = true;
+        }
+      }
+    }
+  }
+}
+
+std::optional<glm::vec4> LobeColumns::beside(std::span<const glm::vec4> values, const Place& place,
+                                             const std::vector<bool>& is_hidden) const {
+  glm::vec4 sum(0.0f);
+  float number = 0.0f;
+  for (int v = std::max(place.y - 1, 0); v <= std::min(place.y + 1, size.y - 1); ++v) {
+    for (int u = std::max(place.x - 1, 0); u <= std::min(place.x + 1, size.x - 1); ++u) {
+      if (is_hidden[column_index(u, v)]) continue;
+      sum += continued(values, place, column_index(u, v));
+      number += 1.0f;
+    }
+  }
+  if (number == 0.0f) return std::nullopt;
+  return sum / number;
+}
+
+// A floor that goes on below the ray beside this one scatters to both alike, but more where the ray
+// points down to it: from its end on the value changes as the one beside it does. A silhouette
+// hides a place of which only that tells.
+glm::vec4 LobeColumns::continued(std::span<const glm::vec4> values, const Place& place,
+                                 std::size_t beside) const {
+  const std::size_t column = column_index(place.x, place.y);
+  const std::size_t layer = first_of(place.layer);
+  const glm::dvec3 passing = eye_ + offsets_[beside] + distance(place.layer) * directions_[beside];
+  const bool goes_on = glm::dot(passing - points_[column], normals_[column]) > 0.0;
+  if (!goes_on) return values[layer + beside];
+  if (place.layer == 0 || !hides(column, place.layer - 1)) return values[layer + column];
+  const std::size_t before = first_of(place.layer - 1);
+  return values[before + column] + values[layer + beside] - values[before + beside];
+}
+
+}  // namespace brume
