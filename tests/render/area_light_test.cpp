@@ -15,6 +15,7 @@
 #include "core/scene/lights/point_lights.h"
 #include "render/reference/reference_pixels.h"
 #include "tests/render/test_scenes.h"
+#include "tests/render/traced_truth.h"
 
 namespace brume {
 namespace {

@@ -13,6 +13,7 @@
 #include "render/visibility/ray_caster.h"
 #include "tests/render/coverage_scenes.h"
 #include "tests/render/test_scenes.h"
+#include "tests/render/traced_truth.h"
 
 namespace brume {
 namespace {
@@ -115,7 +116,7 @@ TEST(CoverageFrames, PanesInFogAreThoseOfPaths) {
                               pane(AlphaMode::blend, 0.5, glm::dvec3(0.0))}) {
     Scene scene = on_film(in_fog(with(lit_from_above(), {hung}), 0.15), {12, 9});
     scene.optics.albedo = glm::dvec3(0.8);  // paths end sooner
-    const Frame wanted = render_frame(scene, path_traced(128));
+    const Frame wanted = traced_truth(scene, 128);
     const Frame frame = render_frame(scene, all_orders(24));
     const Difference found = difference(frame.beauty, wanted.beauty);
     EXPECT_LT(std::abs(found.bias), 0.03);
@@ -145,7 +146,7 @@ TEST(CoverageFrames, WindowsKeepBrightFogOutOfRooms) {
   MetallicRoughness& window = scene.surfaces.back().material.metallic_roughness;
   window.base_color = glm::dvec3(1.0);
   window.transmission = glm::dvec3(0.03);
-  const Frame wanted = render_frame(scene, path_traced(512));
+  const Frame wanted = traced_truth(scene, 512);
   const Frame frame = render_frame(scene, all_orders(24));
   const Difference found = difference(frame.beauty, wanted.beauty);
   EXPECT_LT(std::abs(found.bias), 0.04);  // 0.23 with nodes outside, 0.06 if edges count twice

@@ -14,6 +14,7 @@
 #include "render/paths/path_medium.h"
 #include "tests/random.h"
 #include "tests/render/test_scenes.h"
+#include "tests/render/traced_truth.h"
 
 namespace brume {
 namespace {

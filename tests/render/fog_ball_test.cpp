@@ -10,6 +10,7 @@
 #include "render/prepare/fog_extent.h"
 #include "tests/render/fog_ball_frames.h"
 #include "tests/render/test_scenes.h"
+#include "tests/render/traced_truth.h"
 
 namespace brume {
 namespace {

@@ -16,6 +16,7 @@
 #include "render/prepare/fog_extent.h"
 #include "tests/pictures.h"
 #include "tests/render/test_scenes.h"
+#include "tests/render/traced_truth.h"
 
 namespace brume {
 namespace {
@@ -159,7 +160,7 @@ TEST(SpotLight, AllOrdersMatchPaths) {
 TEST(SpotLight, NarrowBeamsAreNotLostBetweenNodes) {
   Scene scene = on_film(cloud_scene(5, 2.0), {12, 9});
   scene.lights = {{{0.0, 40.0, 0.0}, glm::dvec3(4000.0), light::Spot{{0.0, -1.0, 0.0}, 0.05, 0.1}}};
-  const double expected = mean_airlight(scene, path_traced(4096));
+  const double expected = mean_airlight(traced_truth(scene, 4096));
   EXPECT_NEAR(mean_airlight(scene, all_orders(24)), expected, 0.05 * expected);
 }
 

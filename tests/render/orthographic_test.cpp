@@ -16,6 +16,7 @@
 #include "render/samples/exposure.h"
 #include "tests/render/regions.h"
 #include "tests/render/test_scenes.h"
+#include "tests/render/traced_truth.h"
 
 namespace brume {
 namespace {

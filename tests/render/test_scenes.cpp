@@ -12,7 +12,6 @@
 #include "core/scene/lights/photometric_profile.h"
 #include "core/scene/lights/radiance_map.h"
 #include "core/transport/optical_depth.h"
-#include "render/renderer.h"
 #include "tests/random.h"
 
 namespace brume {
@@ -242,36 +241,6 @@ Settings path_traced(int paths) {
   settings.airlight = AirlightMethod::path;
   settings.paths = paths;
   return settings;
-}
-
-namespace {
-
-// Traces paths until three standard errors are below a bias, of the airlight and of the picture.
-Frame traced_to(const Scene& scene, double airlight_bias, double picture_bias) {
-  Renderer renderer;  // goes on with the paths of the frame before
-  for (int paths = 128;; paths *= 2) {
-    Frame frame = render_frame(renderer, scene, path_traced(paths));
-    const RelativeNoise noise = *relative_noise(frame);
-    const double errors = 3.0 / std::sqrt(static_cast<double>(frame.depth.size()));
-    const bool tells =
-        errors * noise.airlight < airlight_bias && errors * noise.picture < picture_bias;
-    if (!tells && paths < 4096) continue;
-    EXPECT_TRUE(tells) << "too noisy";
-    return frame;
-  }
-}
-
-}  // namespace
-
-void expect_all_orders_match_paths(const Scene& scene, const std::string& name,
-                                   const SourceGridSize& grid) {
-  const Frame truth = traced_to(scene, 0.02, 0.03);
-  const Frame frame = render_frame(scene, all_orders(24, grid));
-  const Difference airlight = difference(frame.airlight, truth.airlight);
-  const double noise = relative_noise(truth)->airlight;
-  EXPECT_LT(airlight.relative_rmse, std::hypot(0.03, 1.2 * noise)) << name;
-  EXPECT_LT(std::abs(airlight.bias), 0.02) << name;
-  EXPECT_LT(std::abs(difference(frame.beauty, truth.beauty).bias), 0.03) << name;
 }
 
 double plain_depth(const Medium& medium, const glm::dvec3& x, const glm::dvec3& w, double length) {

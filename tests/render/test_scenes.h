@@ -77,12 +77,6 @@ double airlight_error(const Scene& scene, const Settings& settings, const Settin
 // True if the statistics say of something left out why, in words that include these.
 bool is_left_out(const Frame& frame, const std::string& why);
 
-// Expects that sliced 24 of all orders is what paths see, of which there are enough to tell:
-// airlight within 3% and their noise, no 2% brighter or darker, the picture no 3%. On a quarter of
-// the usual nodes.
-void expect_all_orders_match_paths(const Scene& scene, const std::string& name,
-                                   const SourceGridSize& grid = {.nodes = 20'000});
-
 // Expects that all is finite: radiance, alpha, transmittance in [0, 1]; distances > 0, +inf
 // allowed.
 void expect_finite(const Frame& frame);

@@ -6,6 +6,7 @@
 
 #include "render/renderer.h"
 #include "tests/render/test_scenes.h"
+#include "tests/render/traced_truth.h"
 
 namespace brume {
 namespace {
@@ -76,7 +77,7 @@ Scene over_a_lit_floor() {
 // on the floor, whose spot is two nodes and a few directions of the eye wide.
 TEST(ForwardLobe, ScattersTheLightOfSurfacesToTheEye) {
   const Scene scene = over_a_lit_floor();
-  const Frame truth = render_frame(scene, path_traced(4096));
+  const Frame truth = traced_truth(scene, 4096);
   const Frame frame = render_frame(scene, all_orders(24));
   const Difference airlight = difference(frame.airlight, truth.airlight);
   EXPECT_LT(airlight.relative_rmse, std::hypot(0.06, relative_noise(truth)->airlight));

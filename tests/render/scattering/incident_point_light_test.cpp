@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tests/render/test_scenes.h"
+#include "tests/render/traced_truth.h"
 
 namespace brume {
 namespace {

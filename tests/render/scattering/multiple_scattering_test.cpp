@@ -15,6 +15,7 @@
 #include "render/renderer.h"
 #include "tests/render/golden_rays.h"
 #include "tests/render/test_scenes.h"
+#include "tests/render/traced_truth.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 
 namespace brume {
@@ -174,7 +175,7 @@ TEST(MultipleScattering, IncludesFog) {
 
 // The mean airlight within a share of that of so many paths per pixel.
 void expect_mean_of_paths(const Scene& scene, int paths_per_pixel, double share) {
-  const double expected = mean_airlight(scene, path_traced(paths_per_pixel));
+  const double expected = mean_airlight(traced_truth(scene, paths_per_pixel));
   EXPECT_NEAR(mean_airlight(scene, quarter_settings()), expected, share * expected);
 }
 
@@ -187,7 +188,7 @@ TEST(MultipleScattering, LobesWidenAroundLightsBehindClouds) {
   scene.lights = {{{0.5, 0.8, -7.0}, glm::dvec3(600.0), {}}};
   for (const bool has_wall : {false, true}) {
     if (has_wall) scene.surfaces.push_back(wall(-20.0, 1.0));
-    const Frame expected = render_frame(scene, path_traced(1024));
+    const Frame expected = traced_truth(scene, 1024);
     const Frame actual = render_frame(scene, quarter_settings());
     const ChannelPair pair{actual.airlight, expected.airlight};
     // 3.5% are the noise of the paths.
@@ -225,7 +226,7 @@ TEST(MultipleScattering, FogAloneMatchesPaths) {
   const double all = mean_airlight(scene, quarter_settings());
   EXPECT_LT(mean_airlight(scene, once), 0.5 * all);
   // Beyond the grid is no fog: 3% of the light is lost there.
-  EXPECT_NEAR(all, mean_airlight(scene, path_traced(512)), 0.05 * all);
+  EXPECT_NEAR(all, mean_airlight(traced_truth(scene, 512)), 0.05 * all);
 }
 
 // A thin cloud in thin endless fog, seen against it: what rays meet far from the cloud counts. With
