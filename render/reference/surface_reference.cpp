@@ -64,7 +64,8 @@ class Ray {
     return sum;
   }
 
-  // The parameter in [0, end] where the depth is `level`, by bisection; end may be +inf.
+  // The parameter in [0, end] where the depth is `level`, by Newton's steps, or by bisection where
+  // these leave the interval; end may be +inf.
   [[nodiscard]] double parameter_at(double level, double end) const {
     double low = 0.0;
     double high = 1.0;
@@ -73,11 +74,17 @@ class Ray {
       high *= 2.0;
     }
     high = std::min(high, end);
+    double t = 0.5 * (low + high);
     for (int i = 0; i < 60; ++i) {
-      const double center = 0.5 * (low + high);
-      (depth(center) < level ? low : high) = center;
+      const double excess = depth(t) - level;
+      (excess < 0.0 ? low : high) = t;
+      const double step = t - excess / density(t);
+      const double next = low <= step && step <= high ? step : 0.5 * (low + high);
+      const bool has_converged = std::abs(next - t) <= 1e-13 * next;
+      t = next;
+      if (has_converged) break;
     }
-    return 0.5 * (low + high);
+    return t;
   }
 
  private:
