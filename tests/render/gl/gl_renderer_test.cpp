@@ -72,7 +72,7 @@ TEST_F(GlFrames, SampleScenes) {
     // The CPU renders these, and says why.
     const auto has_copies = [](const Surface& surface) { return surface.placed_copies != nullptr; };
     if (has_panes(scene.surfaces) || std::ranges::any_of(scene.surfaces, has_copies)) continue;
-    scene.film = {61, 40};
+    scene.film = {45, 23};
     // Tests of surfaces hold it: it takes longer to make than all frames.
     for (Surface& surface : scene.surfaces) surface.transfer = Surface::Transfer::none;
     Renderer renderer;
