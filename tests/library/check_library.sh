@@ -31,7 +31,7 @@ build/build_medium ring.brume
 build/render ring.brume ring.png
 build/measure ring.brume
 build/fit torus.ply
-build/animate "$source/resources/scenes/stage.brume" . 3
+build/animate "$source/resources/scenes/stage.brume" . 2
 if build/render nothing.brume nothing.png 2> error; then exit 1; fi
 grep -q '^nothing.brume: ' error
 for made in ring.brume ring.png torus.ply frame_0.png frame_1.png; do

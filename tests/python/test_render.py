@@ -240,8 +240,10 @@ def test_copies(tmp_path):
     scene.camera.eye = (0, 3, 9)
     scene.lights.append(brume.Light.point((3, 5, 2), intensity=(50, 50, 50)))
 
+    once = dict(airlight="sliced", scattering="single", backend="cpu")
+
     def beauty(of):
-        return brume.render(of, size=(32, 24), airlight="sliced", backend="cpu").beauty
+        return brume.render(of, size=(32, 24), **once).beauty
 
     alone = beauty(scene)
     post.scatter("floor", density=0.5, scale=(0.5, 1.5), turn=90)
