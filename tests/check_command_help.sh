@@ -16,8 +16,12 @@ complain() {
 options_of() {
   "$@" --help | sed -nE 's/^  (-[^ ,]+(, ?-[^ ,]+)?).*/\1/p' | grep -oE -- '-[A-Za-z-]+' | sort -u
 }
+# Texts are searched by the shell itself: a thousand starts of grep take seconds.
 in_page() {
-  grep -qF -- "\\fB${1//-/\\-}\\fR" "$2" || complain "$2: lacks $1 of $3"
+  [[ $2 == *"\\fB${1//-/\\-}\\fR"* ]] || complain "the page of $3 lacks $1"
+}
+has_line() {
+  [[ $'\n'$1$'\n' == *$'\n'"$2"$'\n'* ]]
 }
 
 # shellcheck source=/dev/null
@@ -42,8 +46,9 @@ offers() {
   fi
 }
 
+page=$(< "$folder/brume.1")
 for option in $(options_of "$brume"); do
-  in_page "$option" "$folder/brume.1" brume
+  in_page "$option" "$page" brume
   offers brume "${option%%[a-z]*}" "$option"
 done
 commands=$("$brume" --help | sed -n '/^Subcommands/,$ s/^  \([a-z]*\) .*/\1/p')
@@ -51,19 +56,20 @@ commands=$("$brume" --help | sed -n '/^Subcommands/,$ s/^  \([a-z]*\) .*/\1/p')
 for command in $commands; do
   offers brume "${command:0:2}" "$command"
   options=$(options_of "$brume" "$command")
-  sed -n "/^\.SH BRUME ${command^^}/,/^\.SH BRUME/p" "$folder/brume.1" > "$work/page"
-  sed -n "/^    $command)/,/;;$/p" "$folder/brume.zsh" > "$work/zsh"
+  page=$(sed -n "/^\.SH BRUME ${command^^}/,/^\.SH BRUME/p" "$folder/brume.1")
+  zsh_offers=$(sed -n "/^    $command)/,/;;$/p" "$folder/brume.zsh")
   bash_offers=$(offered_by_bash brume "$command" -)
   if command -v fish > /dev/null; then
     fish_offers=$(offered_by_fish brume "$command" - 
       offered_by_fish brume "$command" --)
   fi
   for option in $options; do
-    in_page "$option" "$work/page" "brume $command"
-    grep -qE -- "['{,]${option}['},[]" "$work/zsh" || complain "zsh: lacks $option of brume $command"
-    grep -qxF -- "$option" <<< "$bash_offers" || complain "bash: lacks $option of brume $command"
+    in_page "$option" "$page" "brume $command"
+    word="['{,]${option}['},[]"
+    [[ $zsh_offers =~ $word ]] || complain "zsh: lacks $option of brume $command"
+    has_line "$bash_offers" "$option" || complain "bash: lacks $option of brume $command"
     if command -v fish > /dev/null; then
-      grep -qxF -- "$option" <<< "$fish_offers" || complain "fish: lacks $option of brume $command"
+      has_line "$fish_offers" "$option" || complain "fish: lacks $option of brume $command"
     fi
   done
 done
@@ -109,8 +115,9 @@ brume gather one.brume folder/'
 fi
 
 if [ $# -gt 2 ]; then
+  page=$(< "$4")
   for option in $(QT_QPA_PLATFORM=offscreen options_of "$3"); do
-    in_page "$option" "$4" brume-editor
+    in_page "$option" "$page" brume-editor
   done
 fi
 [ -z "$failed" ]

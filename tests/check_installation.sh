@@ -13,7 +13,7 @@ cd "$folder/moved here"
 for scene in share/brume/{scenes,templates}/*.brume; do
   bin/brume info "$scene" > /dev/null
 done
-bin/brume render share/brume/scenes/bunny_fog.brume -o "$folder/frame.png" --size 64x48
+bin/brume render share/brume/scenes/bunny_fog.brume -o "$folder/frame.png" --size 64x48 --scattering single
 test -s "$folder/frame.png"
 # Read by brume-scene-reader.
 bin/brume info share/brume/meshes/teapot.obj > /dev/null
