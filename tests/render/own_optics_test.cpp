@@ -231,7 +231,7 @@ TEST(OwnOptics, AllOrdersMatchPaths) {
     if (!is_lit) scene.lights.clear();
     // On fewer nodes the light of small Gaussians is 10% off.
     expect_all_orders_match_paths(scene, "anisotropy " + std::to_string(anisotropy),
-                                  {.directions = 48});
+                                  {.nodes = 50'000, .directions = 48});
   }
 }
 

@@ -171,7 +171,7 @@ TEST(MergedMedium, MayShineAndScatter) {
   scene.medium = medium_of(bank);
   scene.film = {24, 18};
   Settings settings = all_orders(8);
-  settings.optical_depth_table = {48, 24};  // of many lights
+  settings.optical_depth_table = {16, 8};  // of many lights
   const auto mean = [&] {
     const Frame frame = render_frame(scene, settings);
     EXPECT_EQ(frame.statistics.gaussians_merged > 0, settings.merge_error > 0.0);
