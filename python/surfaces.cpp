@@ -9,6 +9,8 @@
 #include "brume/files.h"
 #include "brume/limits.h"
 #include "brume/mesh_arrays.h"
+#include "core/scene/fields/surface_fields.h"
+#include "python/fields.h"
 #include "python/integers.h"
 #include "python/keyed.h"
 #include "python/parts.h"
@@ -109,6 +111,7 @@ void bind_surface(py::module_& module) {
   def_keyed(surface, "translate", &Surface::translate, &SurfaceKeys::translate, "[u]");
   def_keyed(surface, "scale", &Surface::scale, &SurfaceKeys::scale, "> 0");
   def_clear_keys(surface);
+  def_values<Surface>(surface);
   surface.def("__copy__", copied<Surface>)
       .def("__deepcopy__", [](const Surface& self, const py::dict&) { return self; })
       .def_static(
@@ -126,7 +129,6 @@ void bind_surface(py::module_& module) {
       .def_static("mesh", mesh_surface, py::arg("points"), py::arg("triangles"),
                   "Points (n, 3) [u] and triangles (m, 3), shaded flat. It cannot be saved.")
       .def_readwrite("name", &Surface::name)
-      .def_readwrite("visible", &Surface::visible)
       .def(
           "scatter",
           [](Surface& self, const std::string& over, double density, std::int64_t seed,

@@ -362,7 +362,7 @@ std::optional<Frame> GlRenderer::Impl::render(FrameContext& work, tbb::task_aren
       arena};
   integrate_medium(work, group, cpu_clock, frame);
   if (!shade_surfaces(work, group, cpu_clock, frame)) return std::nullopt;
-  clock.time(Stage::composite, [&] { composite.run(programs, work, textures); });
+  clock.time(Stage::composite, [&] { composite.run(programs, work, group.mesh, textures); });
   if (target.picture) {
     show(work, which, target, cpu_clock);
   } else {

@@ -21,6 +21,7 @@
 #include "render/samples/brightness.h"
 #include "render/samples/mean_frame.h"
 #include "render/scattering/source_view.h"
+#include "render/visibility/holdout.h"
 
 namespace brume {
 
@@ -31,6 +32,8 @@ struct Renderer::Impl {
   std::vector<TracedPaths> paths{1};  // by layer of panes
 
   std::optional<Frame> render(FrameContext& work);
+  // The picture of the layers, and of the radiance of surfaces, RGB per pixel.
+  void composite(FrameContext& work, std::span<const glm::vec3> surfaces);
   // Outgoing radiance of surfaces, RGB per pixel; empty if none is lit.
   // `passing`: see PathFilm::View.
   std::span<const glm::vec3> trace_paths(FrameContext& work, std::size_t layer,
@@ -124,7 +127,7 @@ std::optional<Frame> Renderer::Impl::render(FrameContext& work) {
     surfaces = stages.shade_surfaces(work, clock);
   }
   if (work.job.stop.stop_requested()) return std::nullopt;
-  composite(work.rays, stages.background(work), surfaces, work.job, work.frame);
+  composite(work, surfaces);
   if (work.settings.background_apart) set_background_apart(work.frame);
   clock.finish(Stage::composite);
   if (work.plan.has_panes) {
@@ -145,6 +148,15 @@ std::optional<Frame> Renderer::Impl::render(FrameContext& work) {
   return std::move(work.frame);
 }
 
+void Renderer::Impl::composite(FrameContext& work, std::span<const glm::vec3> surfaces) {
+  brume::composite(work.rays, stages.background(work), surfaces, work.job, work.frame);
+  if (!work.plan.runs(Stage::visibility) || !has_holdouts(work.scene.surfaces)) return;
+  const auto is_hit_held_out = [&](std::size_t pixel) {
+    return is_held_out(work.scene.surfaces, stages.hit(pixel));
+  };
+  hold_out(is_hit_held_out, work.job, work.frame);
+}
+
 void Renderer::Impl::trace_through_panes(FrameContext& work, StageClock& clock) {
   PaneLayers layers(work.frame);
   layers.add(stages.seen_panes(work), work.frame);
@@ -153,7 +165,7 @@ void Renderer::Impl::trace_through_panes(FrameContext& work, StageClock& clock) 
     const auto passing = [&layers](std::size_t pixel) { return layers.passing(pixel); };
     const std::span<const glm::vec3> surfaces = trace_paths(work, layer, passing, clock);
     if (work.job.stop.stop_requested()) return;
-    composite(work.rays, stages.background(work), surfaces, work.job, work.frame);
+    composite(work, surfaces);
     layers.add(stages.seen_panes(work), work.frame);
   }
   layers.write(work.frame);

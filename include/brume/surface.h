@@ -72,6 +72,8 @@ struct Surface {
   std::shared_ptr<const CopyPlacements> placed_copies{};
   bool visible = true;  // else no frame has it: evaluate_at() leaves it out
   bool locked = false;  // for editors: not to be changed in the view
+  // The eye does not see it, but what is behind the picture in its place; all else does.
+  bool holdout = false;
   ObjectId id = 0;
 
   bool operator==(const Surface&) const = default;

@@ -160,6 +160,8 @@ class Light:
 class Surface:
     name: str
     visible: bool
+    locked: bool
+    holdout: bool
     translate: _Vec3
     scale: float
     rotate: Sequence[float]

@@ -42,6 +42,18 @@ void composite(const CameraRays& rays, const EnvironmentLight* environment,
   });
 }
 
+void hold_out(const std::function<bool(std::size_t pixel)>& is_held_out, const Job& job,
+              Frame& frame) {
+  const auto width = static_cast<std::size_t>(frame.film.width);
+  job.parallel_for(static_cast<std::size_t>(frame.film.height), [&](std::size_t y) {
+    for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
+      if (!is_held_out(i)) continue;
+      for (std::size_t c = 0; c < 3; ++c) frame.beauty[4 * i + c] = frame.airlight[3 * i + c];
+      frame.beauty[4 * i + 3] = 1.0f - frame.transmittance[3 * i];  // grey within a group
+    }
+  });
+}
+
 void set_background_apart(Frame& frame) {
   frame.background.assign(frame.airlight.size(), 0.0f);
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {

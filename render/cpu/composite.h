@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <span>
 
@@ -19,6 +21,10 @@ void behind_medium(const CameraRays& rays, const EnvironmentLight* environment,
 // Eq. 29: composites frame.beauty from the other layers and the background.
 void composite(const CameraRays& rays, const EnvironmentLight* environment,
                std::span<const glm::vec3> surfaces, const Job& job, Frame& frame);
+
+// The pixels that are held out show what is in front of them alone, and their alpha is that of it.
+void hold_out(const std::function<bool(std::size_t pixel)>& is_held_out, const Job& job,
+              Frame& frame);
 
 // Frame::background of a frame whose pixels are one ray each: all that open ones show behind the
 // medium.

@@ -33,21 +33,20 @@ void PaneLayers::add(std::span<const SeenPane> panes, const Frame& layer) {
     pixel.beauty += scattered + pixel.passing * static_cast<float>(pane.covered) * attenuated;
     pixel.airlight_before = airlight;
     const bool is_surface = std::isfinite(layer.depth[i]);
+    const float passing = is_surface ? pixel.passing * static_cast<float>(pane.passing) : 0.0f;
+    pixel.alpha += (pixel.passing - passing) * layer.beauty[4 * i + 3];
     if (!pixel.has_depth) pixel.transmittance = transmittance;
     if (is_surface && pane.opaque > 0.5 && !pixel.has_depth) {
       pixel.depth = layer.depth[i];
       pixel.has_depth = true;
     }
     if (is_surface) {
-      pixel.passing *= static_cast<float>(pane.passing);
+      pixel.passing = passing;
       if (pixel.passing > 0.0f) is_open_ = true;
-      pixel.alpha = 1.0f;
       continue;
     }
     pixel.background = pixel.passing * attenuated;
-    // Alpha of what is open: render_groups() takes it from the transmittance.
     if (!pixel.has_depth) pixel.transmittance = pixel.passing * transmittance;
-    pixel.alpha = 1.0f - pixel.passing * transmittance;
     pixel.passing = 0.0f;
   }
 }
@@ -62,7 +61,7 @@ void PaneLayers::write(Frame& frame) const {
       if (frame.background.empty()) continue;
       frame.background[3 * i + c] = pixel.background[static_cast<int>(c)];
     }
-    frame.beauty[4 * i + 3] = pixel.alpha;
+    frame.beauty[4 * i + 3] = std::min(pixel.alpha, 1.0f);
     frame.depth[i] = pixel.depth;
   }
 }

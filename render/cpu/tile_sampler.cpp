@@ -10,6 +10,7 @@
 
 #include "core/scene/camera_rays.h"
 #include "render/prepare/upsampling_limits.h"
+#include "render/visibility/holdout.h"
 
 namespace brume {
 namespace {
@@ -149,7 +150,7 @@ void TileSampler::shade_parts() {
   if (!view_.are_lit) return;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     Part& part = parts_[i];
-    if (!part.hit) continue;
+    if (!part.hit || is_held_out(view_.surfaces->surfaces, part.hit)) continue;
     if (part.hit.is_light()) {
       part.behind = view_.surfaces->radiance_of_light(part.hit);
       continue;
@@ -337,7 +338,8 @@ void TileSampler::add_up(std::vector<SampledPixel>& results) const {
         sum.airlight += share * part.airlight * c.airlight;
         sum.transmittance += share * part.counted * c.transmittance;
         if (!part.hit) sum.background += share * attenuated;
-        sum.alpha += share * part.airlight * (part.hit ? 1.0f : 1.0f - c.transmittance);
+        const bool is_solid = part.hit && !is_held_out(view_.surfaces->surfaces, part.hit);
+        sum.alpha += share * part.airlight * (is_solid ? 1.0f : 1.0f - c.transmittance);
         if (part.hit && part.counted > 0.0f && part.is_opaque)
           sum.depth = static_cast<float>(part.hit.distance);
       }

@@ -18,6 +18,7 @@
 #include "render/prepare/frame_stages.h"
 #include "render/render_plan.h"
 #include "render/scattering/source_view.h"
+#include "render/visibility/holdout.h"
 
 namespace brume {
 namespace {
@@ -78,6 +79,11 @@ class DeepGroup {
   void behind(std::size_t row, std::span<glm::vec3> radiance) const {
     behind_medium(work_.rays, stages_.shading().environment(), surfaces_, work_.frame, row,
                   radiance);
+  }
+
+  [[nodiscard]] bool is_held_out(std::size_t pixel) const {
+    return work_.plan.runs(Stage::visibility) &&
+           brume::is_held_out(work_.scene.surfaces, stages_.hit(pixel));
   }
 
   [[nodiscard]] const MediumIndex& medium() const { return stages_.prepared().medium(); }
@@ -320,6 +326,7 @@ class DeepFilm {
           fog.z = std::min(fog.z, distance);
           fog.z_back = std::min(fog.z_back, distance);
         }
+        if (groups_[0]->is_held_out(row * width + x)) continue;
         samples[x].push_back({distance, distance, radiance[x], glm::vec3(1.0f), 1.0f});
       } else if (radiance[x] != glm::vec3(0.0f)) {
         samples[x].push_back(

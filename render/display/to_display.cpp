@@ -55,6 +55,14 @@ void apply_neutral_view(std::span<float> rgb) {
   }
 }
 
+void apply_view(const DisplayLook& look, std::vector<float>& row) {
+  if (look.view) {
+    look.view->apply(row);
+  } else {
+    apply_neutral_view(row);
+  }
+}
+
 // Calls take(y, values) with the values that a display shows, in [0, 1], row by row.
 template <class Take>
 void for_each_row(const Frame& frame, const DisplayLook& look, Take&& take) {
@@ -62,17 +70,23 @@ void for_each_row(const Frame& frame, const DisplayLook& look, Take&& take) {
   const auto width = static_cast<std::size_t>(frame.film.width);
   const std::size_t pixels = frame.beauty.size() / 4;
   std::vector<float> row(3 * width);
+  PlateRow plate;
   for (std::size_t y = 0; y * width < pixels; ++y) {
+    if (look.plate) plate = plate_row(*look.plate, frame, y);
     const float* beauty = &frame.beauty[4 * y * width];
-    for (std::size_t x = 0; x < width; ++x) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        row[3 * x + k] = std::clamp(gain * beauty[4 * x + k], 0.0f, brightest_shown);
-      }
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      float radiance = beauty[4 * (k / 3) + k % 3];
+      if (look.plate) radiance -= plate.replaced[k];
+      row[k] = std::clamp(gain * radiance, 0.0f, brightest_shown);
+      if (look.plate) row[k] += plate.shares[k] * plate.light[k];
     }
-    if (look.view) {
-      look.view->apply(row);
-    } else {
-      apply_neutral_view(row);
+    apply_view(look, row);
+    if (look.plate) {
+      // As much of the plate as is seen is not to be changed by the view.
+      apply_view(look, plate.light);
+      for (std::size_t k = 0; k < row.size(); ++k) {
+        row[k] += plate.shares[k] * (plate.values[k] - plate.light[k]);
+      }
     }
     // A configuration may make anything of a colour, even no number.
     for (float& x : row) x = x > 0.0f ? std::min(x, 1.0f) : 0.0f;

@@ -7,6 +7,7 @@
 
 #include "brume/frame.h"
 #include "render/display/color_view.h"
+#include "render/display/plate_behind.h"
 
 namespace brume {
 
@@ -14,6 +15,7 @@ namespace brume {
 struct DisplayLook {
   double exposure = 0.0;                    // [stops]
   std::shared_ptr<const ColorView> view{};  // null: Khronos PBR Neutral in sRGB, see neutral_view.h
+  std::shared_ptr<const PlateBehind> plate{};  // null: none
 
   bool operator==(const DisplayLook&) const = default;
 };

@@ -5,11 +5,23 @@
 
 #include "brume/frame.h"
 #include "core/scene/lights/radiance_map.h"
+#include "render/visibility/holdout.h"
 
 namespace brume::gl {
 
-void CompositeStage::run(Programs& programs, const FrameContext& work, FilmTextures& textures) {
-  const Program& program = programs.get("composite", ray_definitions(work.rays));
+void CompositeStage::run(Programs& programs, const FrameContext& work, MeshBuffers& mesh,
+                         FilmTextures& textures) {
+  const bool holds_out = work.plan.runs(Stage::visibility) && has_holdouts(work.scene.surfaces);
+  const Program& program =
+      programs.get("composite", (holds_out ? " HOLDOUTS" : "") + ray_definitions(work.rays));
+  if (holds_out) {
+    std::vector<std::uint32_t> held_out;
+    for (const Surface& surface : work.scene.surfaces) held_out.push_back(surface.holdout ? 1 : 0);
+    held_out_.upload(std::span<const std::uint32_t>(held_out));
+    program.bind("HeldOut", held_out_);
+    program.bind("Hits", mesh.hits());
+    mesh.bind(program);
+  }
   set_rays(program, work.rays);
   program.set("film", textures.beauty.size());
   program.set("sky_size", glm::ivec2(0));

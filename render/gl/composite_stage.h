@@ -5,6 +5,7 @@
 
 #include "render/gl/display_options.h"
 #include "render/gl/film_airlight.h"
+#include "render/gl/mesh_buffers.h"
 #include "render/prepare/albedo.h"
 #include "render/prepare/frame_stages.h"
 
@@ -13,12 +14,13 @@ namespace brume::gl {
 // Compositing of medium, surfaces and environment on the device.
 class CompositeStage {
  public:
-  // Fills the `beauty` texture from the others.
-  void run(Programs& programs, const FrameContext& work, FilmTextures& textures);
+  // Fills the `beauty` texture from the others, and the hits of the mesh.
+  void run(Programs& programs, const FrameContext& work, MeshBuffers& mesh, FilmTextures& textures);
 
  private:
   std::shared_ptr<const RadianceMap> map_;  // content of sky_
   Buffer sky_;
+  Buffer held_out_;
 };
 
 // to_display() on the device.

@@ -1,4 +1,5 @@
 #include "render/paths/path_film.h"
+#include "render/visibility/holdout.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,7 +80,8 @@ void PathFilm::trace_pixel(const View& view, const PathTracer& tracer, const glm
   if (view.has_medium) ray.emplace(view.scene.medium.index(), eye, w, end);
   const double depth = ray ? ray->depth() : 0.0;
   const bool has_airlight = depth > min_depth;
-  const bool sees_surface = hit && !hit.is_light() && depth < PathTracer::hidden_depth;
+  const bool sees_surface = hit && !hit.is_light() && depth < PathTracer::hidden_depth &&
+                            !is_held_out(view.scene.surfaces, hit);
   SurfacePoint point;
   if (sees_surface) point = view.scene.ray_caster.point(hit, eye, w, view.scene.surfaces);
 

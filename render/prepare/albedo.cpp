@@ -103,12 +103,10 @@ void copy_channels(const AlbedoGroup& group, const Frame& group_frame, Frame& fr
 
 namespace {
 
-// Adds the share of the channels of a group to the alpha of filtered pixels, which surfaces may
-// cover in part.
+// Adds the share of the channels of a group to the alpha of pixels.
 void add_alpha(const AlbedoGroup& group, const Frame& group_frame, std::vector<float>& alpha) {
-  if (group_frame.airlight_at_centers.empty()) return;
   const float share = static_cast<float>(group.channels.size()) / 3.0f;
-  alpha.resize(group_frame.depth.size(), 0.0f);
+  alpha.resize(group_frame.beauty.size() / 4, 0.0f);
   for (std::size_t i = 0; i < alpha.size(); ++i) alpha[i] += share * group_frame.beauty[4 * i + 3];
 }
 
@@ -121,7 +119,7 @@ std::optional<Frame> render_groups(const Scene& scene, std::span<const AlbedoGro
     return render(scene, 0, groups[0], job);
   }
   std::optional<Frame> frame;
-  std::vector<float> alpha;  // of filtered frames
+  std::vector<float> alpha;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     Scene absorbing = scene;
     absorbing.medium = media.update(i, scene, groups[i]);
@@ -144,13 +142,6 @@ std::optional<Frame> render_groups(const Scene& scene, std::span<const AlbedoGro
   }
   for (std::size_t i = 0; i < alpha.size(); ++i) {
     frame->beauty[4 * i + 3] = std::min(alpha[i], 1.0f);
-  }
-  if (!alpha.empty()) return frame;
-  for (std::size_t i = 0; i < frame->beauty.size() / 4; ++i) {
-    if (std::isfinite(frame->depth[i])) continue;  // a surface covers its pixel
-    const float* transmittance = frame->transmittance.data() + 3 * i;
-    frame->beauty[4 * i + 3] =
-        1.0f - (transmittance[0] + transmittance[1] + transmittance[2]) / 3.0f;
   }
   return frame;
 }

@@ -9,6 +9,7 @@
 #include "render/prepare/point_sources.h"
 #include "render/quality/work.h"
 #include "render/render_plan.h"
+#include "render/visibility/holdout.h"
 
 namespace brume {
 namespace {
@@ -132,6 +133,7 @@ glm::dvec3 PathPixels::behind(const Group& group, const CameraRay& ray, const Su
   if (ray.depth() > PathTracer::hidden_depth) return none;
   const double transmittance = std::exp(-ray.depth());
   if (!hit) return environment_ ? transmittance * environment_->radiance(ray.w()) : none;
+  if (is_held_out(surfaces_, hit)) return none;
   if (hit.is_light()) return transmittance * glm::dvec3(light_shapes_.of(hit).radiance);
   const RayCaster& ray_caster = group.scene->ray_caster;
   const SurfacePoint point = ray_caster.point(hit, ray.eye(), ray.w(), surfaces_);

@@ -16,6 +16,7 @@
 #include "core/scene/animation/animation.h"
 #include "core/scene/fields/copies_fields.h"
 #include "core/scene/fields/description.h"
+#include "core/scene/fields/surface_fields.h"
 
 namespace brume {
 namespace {
@@ -242,6 +243,7 @@ bool rewrite_all(const std::filesystem::path& folder, bool only_checks) {
         write_rows<Sky>(lines, "sky");
         write_rows<Material>(lines, "material");
         write_rows<MetallicRoughness>(lines, "");
+        write_rows<Surface>(lines, "");
         write_rows<Scatter>(lines, "copies");
         write_keys<Environment>(lines, "environment");
         write_keys<Sky>(lines, "environment.sky");

@@ -18,6 +18,7 @@
 #include "core/medium/written_radii.h"
 #include "core/scene/animation/animation.h"
 #include "core/scene/fields/copies_fields.h"
+#include "core/scene/fields/surface_fields.h"
 #include "core/scene/group_effects.h"
 
 namespace brume {
@@ -194,8 +195,7 @@ Json surface_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
     object["transfer"] = scene_names::transfers[static_cast<std::size_t>(surface.transfer)];
   }
   if (surface.copies) object["copies"] = copies_to_json(surface, unknown_keys, directory);
-  if (!surface.visible) object["visible"] = false;
-  if (surface.locked) object["locked"] = true;
+  write_fields(object, surface, NoKeys());
   add_keys(object, unknown_keys, unknown_keys.of(surface.id, "keys"),
            [&surface](auto&& visit) { visit_keyed_surface(surface, visit); });
   add_unknown_keys(object, unknown_keys.of(surface.id, ""));

@@ -13,6 +13,7 @@
 #include "core/scene/animation/animation.h"
 #include "core/scene/copies.h"
 #include "core/scene/fields/copies_fields.h"
+#include "core/scene/fields/surface_fields.h"
 #include "core/scene/imported_scene.h"
 
 namespace brume {
@@ -35,8 +36,7 @@ Surface SurfaceReader::read(JsonObject& object) {
   surface.transfer = static_cast<Surface::Transfer>(
       object.choice("transfer", scene_names::transfers, std::size_t{0}));
   if (auto copies = object.find_object("copies")) read_copies(*copies, surface);
-  surface.visible = object.boolean("visible", surface.visible);
-  surface.locked = object.boolean("locked", surface.locked);
+  read_fields(object, surface);
   unknown_keys_.add(surface.id, "keys",
                     read_keys_member(context_, object, unknown_keys_,
                                      [&](auto&& visit) { visit_keyed_surface(surface, visit); }));

@@ -12,6 +12,16 @@ layout(r32f, binding = 2) readonly uniform image2D depths;  // to the surface; <
 layout(std430, binding = 0) restrict readonly buffer Sky { vec4 sky[]; };
 layout(std430, binding = 1) restrict readonly buffer Behind { vec4 behind[]; };  // RGB of surfaces
 
+#ifdef HOLDOUTS
+#include "corners.glsl"
+layout(std430, binding = 2) restrict readonly buffer Hits { PixelHit hits[]; };
+layout(std430, binding = 3) restrict readonly buffer HeldOut { uint held_out[]; };  // per surface
+
+bool is_held_out(int pixel) { return held_out[corners[3 * hits[pixel].triangle].index] != 0u; }
+#else
+bool is_held_out(int pixel) { return false; }
+#endif
+
 uniform ivec2 film;
 uniform ivec2 sky_size;  // 0: there is none
 uniform vec2 sky_rotation;
@@ -29,10 +39,12 @@ void main() {
   if (any(greaterThanEqual(pixel, film))) return;
   const vec4 medium = imageLoad(airlight, pixel);
   const bool on_surface = imageLoad(depths, pixel).r >= 0.0;
-  vec3 radiance = on_surface ? behind[pixel.y * film.x + pixel.x].rgb : vec3(0.0);
+  const int index = pixel.y * film.x + pixel.x;
+  const bool is_solid = on_surface && !is_held_out(index);
+  vec3 radiance = is_solid ? behind[index].rgb : vec3(0.0);
   if (!on_surface && sky_size.x > 0) radiance = sky_radiance(ray_direction(pixel));
   // No brighter than a float may be, or black fog would make NaN of it.
   radiance = medium.rgb + medium.a * min(radiance, vec3(max_radiance));
   imageStore(beauty, pixel,
-             vec4(clamp(radiance, vec3(0.0), vec3(max_radiance)), on_surface ? 1.0 : 1.0 - medium.a));
+             vec4(clamp(radiance, vec3(0.0), vec3(max_radiance)), is_solid ? 1.0 : 1.0 - medium.a));
 }

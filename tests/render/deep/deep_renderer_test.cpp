@@ -222,6 +222,9 @@ TEST(DeepRenderer, WithoutFogSurfacesAreLeft) {
     if (deep.pixel(i).empty()) continue;
     EXPECT_NEAR(deep.pixel(i)[0].color.r, flat.beauty[4 * i], 1e-6 + 1e-5 * flat.beauty[4 * i]);
   }
+  scene.surfaces[0].holdout = true;
+  const DeepFrame held_out(scene, sliced(24), deep_error, flat);
+  for (std::size_t i = 0; i < held_out.count(); ++i) EXPECT_TRUE(held_out.pixel(i).empty());
 }
 
 TEST(DeepRenderer, ARegionHasTheSamplesOfTheWholeFrame) {

@@ -151,6 +151,9 @@ void add_suns_and_areas(std::vector<SpecialScene>& all) {
         {.intensity = glm::dvec3(0.5), .kind = light::Directional{{1.0, 0.2, -0.4}, 3.0}},
         {{0.5, 0.5, 1.5}, glm::dvec3(1.0)}};
     all.push_back({"suns", scene});
+    scene.surfaces[1].holdout = true;
+    scene.optics.albedo = {1.0, 0.8, 0.5};
+    all.push_back({"a wall that is held out", scene, true, false});
     // Two at a time: a software device ends shaders that go through some 900 lights and slices.
     const Light disk{{-1.5, 0.5, 0.5}, glm::dvec3(2.0), light::Disk{{1.0, 0.1, -0.3}, 0.3, true}};
     const Light sphere{{0.0, -1.0, 0.5}, glm::dvec3(1.0), light::Sphere()};

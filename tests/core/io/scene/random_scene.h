@@ -76,6 +76,7 @@ class RandomScene {
       if (maybe()) surface.name = "wall \u00e9 \"2\"";
       surface.locked = maybe();
       surface.visible = maybe();
+      surface.holdout = maybe();
       surface.translate = point();
       surface.rotate =
           glm::normalize(glm::dquat(number(0.1, 1), number(-1, 1), number(-1, 1), number(-1, 1)));
