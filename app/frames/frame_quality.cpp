@@ -118,7 +118,9 @@ void FrameQuality::set_measured(const std::shared_ptr<const RenderedFrame>& fram
   frame_.reset();
   error_ = error;
   Settings used = frame->request.settings;
-  used.samples = settings().samples;  // of no meaning for the error, which is that of centers
+  // Of no meaning for the error, which is that of centers.
+  used.samples = settings().samples;
+  used.background_apart = settings().background_apart;
   if (is_auto()) {
     control_.record(used, error.airlight, frame->milliseconds);
   } else {

@@ -90,7 +90,14 @@ void FrameScheduler::set_exposure(double stops) {
 }
 
 DisplayLook FrameScheduler::display() const {
-  return {exposure_, services_.color.view()};
+  return {exposure_, services_.color.view(), plate_};
+}
+
+void FrameScheduler::set_plate(const std::shared_ptr<const PlateBehind>& plate) {
+  const bool other_frames = (plate == nullptr) != (plate_ == nullptr);
+  plate_ = plate;
+  Q_EMIT picture_changed();
+  if (other_frames) change_look();
 }
 
 void FrameScheduler::set_mode(ViewMode mode) {
@@ -158,6 +165,7 @@ Settings FrameScheduler::rest_settings(const Scene& scene) const {
   Settings settings = quality_.settings();
   const int most = chosen_samples(scene);
   settings.samples = std::min(document_.scene().output.samples.value_or(most), most);
+  settings.background_apart = plate_ != nullptr;
   return settings;
 }
 
@@ -226,6 +234,7 @@ FrameRequest FrameScheduler::frame_request(bool moving) {
   } else if (mode_ == ViewMode::path_traced) {
     ask_for_paths(request);
   }
+  request.settings.background_apart = plate_ != nullptr;
   return request;
 }
 

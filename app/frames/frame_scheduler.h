@@ -41,7 +41,9 @@ class FrameScheduler : public QObject {
 
   [[nodiscard]] double exposure() const { return exposure_; }
   void set_exposure(double stops);
-  [[nodiscard]] DisplayLook display() const;  // with the view that all share
+  [[nodiscard]] DisplayLook display() const;  // with the view that all share, and the plate
+  // Behind the fog; null: none.
+  void set_plate(const std::shared_ptr<const PlateBehind>& plate);
   [[nodiscard]] ViewMode mode() const { return mode_; }
   void set_mode(ViewMode mode);
 
@@ -99,6 +101,7 @@ class FrameScheduler : public QObject {
   const QWidget& pane_;
   bool active_ = false;
   double exposure_ = 0.0;
+  std::shared_ptr<const PlateBehind> plate_;
   ViewMode mode_ = ViewMode::final;
   std::uint64_t serial_ = 0;         // of the current state
   std::uint64_t oldest_serial_ = 0;  // older frames belong to another scene

@@ -152,6 +152,7 @@ std::optional<gl::DisplayOptions> display_options(const DisplayLook& look, ViewM
   switch (mode) {
     case ViewMode::final:
     case ViewMode::path_traced:
+      if (look.plate) return std::nullopt;
       return {{.layer = Layer::beauty, .exposure = look.exposure}};
     case ViewMode::outlines:
     case ViewMode::error:

@@ -30,19 +30,59 @@ void CameraFrame::show_frame(const std::optional<QRectF>& frame, const QString& 
   if (!frame_) end_marking();
   setGeometry(parentWidget()->rect());
   setVisible(frame_.has_value());
+  update_plate_behind();
   update();
 }
 
 void CameraFrame::set_guides(const Guides& guides) {
   guides_ = guides;
+  update_plate_behind();
   update();
 }
 
-void CameraFrame::set_plate(const QImage& plate, double opacity) {
+void CameraFrame::set_plate(const QImage& plate, double opacity, bool is_behind) {
   if (plate.cacheKey() != plate_.cacheKey()) scaled_plate_ = {};
   plate_ = plate;
   plate_opacity_ = opacity;
+  is_plate_behind_ = is_behind;
+  update_plate_behind();
   update();
+}
+
+bool CameraFrame::shows_plate() const {
+  return frame_ && !plate_.isNull() && plate_opacity_ > 0.0 && guides_.plate;
+}
+
+QRectF CameraFrame::plate_place() const {
+  QRectF place({}, QSizeF(plate_.size()).scaled(frame_->size(), Qt::KeepAspectRatio));
+  place.moveCenter(frame_->center());
+  return place;
+}
+
+void CameraFrame::update_plate_behind() {
+  Behind behind;
+  if (shows_plate() && is_plate_behind_) {
+    behind = {plate_.cacheKey(), plate_place(),
+              (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo({1, 1}), plate_opacity_};
+  }
+  if (behind == behind_) return;
+  behind_ = behind;
+  if (behind.opacity == 0.0) {
+    Q_EMIT plate_behind_changed(nullptr);
+    return;
+  }
+  QImage pane(behind.pane, QImage::Format_RGBA8888);
+  pane.fill(Qt::transparent);
+  QPainter painter(&pane);
+  const double scale = devicePixelRatioF();
+  const QSize pixels = (behind.place.size() * scale).toSize().expandedTo({1, 1});
+  painter.drawImage((behind.place.topLeft() * scale).toPoint(),
+                    plate_.scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+  painter.end();
+  auto plate =
+      std::make_shared<PlateBehind>(PlateBehind{pane.width(), pane.height(), {}, behind.opacity});
+  plate->rgba.assign(pane.constBits(), pane.constBits() + pane.sizeInBytes());
+  Q_EMIT plate_behind_changed(std::move(plate));
 }
 
 void CameraFrame::set_region(const std::optional<QRectF>& region) {
@@ -113,20 +153,21 @@ void CameraFrame::keyPressEvent(QKeyEvent* event) {
 }
 
 bool CameraFrame::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize) setGeometry(parentWidget()->rect());
+  if (event->type() == QEvent::Resize) {
+    setGeometry(parentWidget()->rect());
+    update_plate_behind();
+  }
   return QWidget::eventFilter(watched, event);
 }
 
 void CameraFrame::paint_plate(QPainter& painter) {
-  if (plate_.isNull() || plate_opacity_ == 0.0 || !guides_.plate) return;
-  const QSizeF size = QSizeF(plate_.size()).scaled(frame_->size(), Qt::KeepAspectRatio);
-  const QSize pixels = (size * devicePixelRatioF()).toSize().expandedTo({1, 1});
+  if (!shows_plate() || is_plate_behind_) return;
+  const QRectF place = plate_place();
+  const QSize pixels = (place.size() * devicePixelRatioF()).toSize().expandedTo({1, 1});
   if (scaled_plate_.size() != pixels) {
     scaled_plate_ =
         QPixmap::fromImage(plate_.scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
   }
-  QRectF place(QPointF(), size);
-  place.moveCenter(frame_->center());
   painter.setOpacity(plate_opacity_);
   painter.drawPixmap(place, scaled_plate_, scaled_plate_.rect());
   painter.setOpacity(1.0);

@@ -4,7 +4,10 @@
 #include <QPixmap>
 #include <QRectF>
 #include <QWidget>
+#include <memory>
 #include <optional>
+
+#include "render/display/plate_behind.h"
 
 class QPainter;
 
@@ -34,8 +37,8 @@ class CameraFrame : public QWidget {
   [[nodiscard]] const Guides& guides() const { return guides_; }
   void set_guides(const Guides& guides);
 
-  // A picture over that of the frame, as large as fits; null: none.
-  void set_plate(const QImage& plate, double opacity);
+  // A picture over that of the frame, as large as fits, or behind its fog; null: none.
+  void set_plate(const QImage& plate, double opacity, bool is_behind);
 
   // The marked part, in fractions of the frame from its upper left corner; nullopt: none.
   [[nodiscard]] const std::optional<QRectF>& region() const { return region_; }
@@ -45,6 +48,8 @@ class CameraFrame : public QWidget {
 
  Q_SIGNALS:
   void region_changed();
+  // The plate behind the fog of the whole pane; null: none.
+  void plate_behind_changed(const std::shared_ptr<const brume::PlateBehind>& plate);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -57,6 +62,9 @@ class CameraFrame : public QWidget {
  private:
   void end_marking();
   void paint_plate(QPainter& painter);
+  void update_plate_behind();
+  [[nodiscard]] QRectF plate_place() const;  // in the pane
+  [[nodiscard]] bool shows_plate() const;
   void paint_guides(QPainter& painter) const;
   [[nodiscard]] QRectF marked() const;  // by the drag, in fractions of the frame
   [[nodiscard]] QRectF on_pane(const QRectF& region) const;
@@ -67,6 +75,16 @@ class CameraFrame : public QWidget {
   QImage plate_;
   QPixmap scaled_plate_;  // as it was painted last
   double plate_opacity_ = 0.0;
+  bool is_plate_behind_ = false;
+  // What the plate behind the fog was made of last; no opacity: none.
+  struct Behind {
+    qint64 plate = 0;
+    QRectF place;
+    QSize pane;  // in pixels
+    double opacity = 0.0;
+    bool operator==(const Behind&) const = default;
+  };
+  Behind behind_;
   std::optional<QRectF> region_;
   bool marks_ = false;
   std::optional<QPointF> start_;  // of the drag

@@ -48,6 +48,7 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
   connect(&input_, &ViewInput::menu_asked, this, &Viewport::menu_asked);
   connect(&camera_controller(), &CameraController::moved, &frames_, &FrameScheduler::change_look);
   connect(&camera_controller(), &CameraController::moved, this, &Viewport::show_camera_frame);
+  connect(camera_frame_, &CameraFrame::plate_behind_changed, &frames_, &FrameScheduler::set_plate);
   connect(&shown_handles(), &ShownHandles::changed, this, &Viewport::update_overlay);
   connect(&frames_, &FrameScheduler::frame_shown, this, [this] {
     show_picture();

@@ -344,10 +344,11 @@ FrameExportRequest FrameOutput::view_request(const std::filesystem::path& file) 
   request.camera = work_.views.perspective().camera();
   request.time = work_.views.perspective().time();
   request.backend = work_.views.backend();
+  DisplayLook look = work_.views.perspective().frames().display();
+  look.plate.reset();  // plates are not rendered
   return {.scene = work_.document.snapshot(),
           .request = request,
-          .info = {.scene = work_.document.file().string(),
-                   .look = work_.views.perspective().frames().display()},
+          .info = {.scene = work_.document.file().string(), .look = look},
           .file = file,
           .range = std::nullopt,
           .title = tr("Frame %1").arg(work_.timeline.frame())};

@@ -4,8 +4,120 @@
 <context>
     <name>brume</name>
     <message>
+        <source>Surfaces</source>
+        <translation>Oberflächen</translation>
+    </message>
+    <message>
+        <source>Surface “%1”…</source>
+        <translation>Oberfläche „%1“…</translation>
+    </message>
+    <message>
+        <source>Fog</source>
+        <translation>Nebel</translation>
+    </message>
+    <message>
+        <source>Selected Fog “%1”…</source>
+        <translation>Gewählter Nebel „%1“…</translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation>Lichter</translation>
+    </message>
+    <message>
+        <source>Light “%1”…</source>
+        <translation>Licht „%1“…</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>Camera “%1”…</source>
+        <translation>Kamera „%1“…</translation>
+    </message>
+    <message>
+        <source>Brushes</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Brush “%1”…</source>
+        <translation>Pinsel „%1“…</translation>
+    </message>
+    <message>
+        <source>Scenes</source>
+        <translation>Szenen</translation>
+    </message>
+    <message>
+        <source>Shows assets whose names have this</source>
+        <translation>Zeigt Assets, in deren Namen dies vorkommt</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtern</translation>
+    </message>
+    <message>
+        <source>The kind of assets that are shown</source>
+        <translation>Die Art der Assets, die gezeigt werden</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Saves what is selected, the camera or the brush as an asset</source>
+        <translation>Speichert, was gewählt ist, die Kamera oder den Pinsel als Asset</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Opens your folder of assets. What is put into it is listed here, and so is the folder “assets” beside the scene</source>
+        <translation>Öffnet Ihren Ordner der Assets. Was darin liegt, steht hier, ebenso der Ordner „assets“ neben der Szene</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Drag an asset into a view: it lands on what is under the mouse</source>
+        <translation>Ziehen Sie ein Asset in eine Ansicht: Es landet auf dem, was unter der Maus ist</translation>
+    </message>
+    <message>
+        <source>Assets</source>
+        <translation>Assets</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
         <source>Add</source>
         <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Show in Its Folder</source>
+        <translation>In seinem Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Move to the Trash</source>
+        <translation>In den Papierkorb verschieben</translation>
+    </message>
+    <message>
+        <source>%1 cannot be moved to the trash</source>
+        <translation>%1 lässt sich nicht in den Papierkorb verschieben</translation>
+    </message>
+    <message>
+        <source>Save as Asset</source>
+        <translation>Als Asset speichern</translation>
+    </message>
+    <message>
+        <source>Assets (*%1)</source>
+        <translation>Assets (*%1)</translation>
+    </message>
+    <message>
+        <source>Saved as the asset %1</source>
+        <translation>Als Asset %1 gespeichert</translation>
     </message>
     <message>
         <source>Add sun</source>
@@ -743,10 +855,6 @@
         <translation>Zeigt das letzte Bild im Bildbetrachter</translation>
     </message>
     <message>
-        <source>Folder</source>
-        <translation>Ordner</translation>
-    </message>
-    <message>
         <source>Opens the folder of its files</source>
         <translation>Öffnet den Ordner der Dateien</translation>
     </message>
@@ -977,12 +1085,16 @@
         <translation>Path Tracing, %1</translation>
     </message>
     <message>
-        <source>The scene would have more than %1 cameras.</source>
-        <translation>Die Szene hätte mehr als %1 Kameras.</translation>
-    </message>
-    <message>
         <source>The scene would have more than %1 lights.</source>
         <translation>Die Szene hätte mehr als %1 Lichter.</translation>
+    </message>
+    <message>
+        <source>The scene would have more than %1 surfaces.</source>
+        <translation>Die Szene hätte mehr als %1 Oberflächen.</translation>
+    </message>
+    <message>
+        <source>The scene would have more than %1 cameras.</source>
+        <translation>Die Szene hätte mehr als %1 Kameras.</translation>
     </message>
     <message>
         <source>%1 has changed, and has no meshes any more that a surface shows.</source>
@@ -1251,10 +1363,6 @@
     <message>
         <source>Adds a camera that sees what the view sees</source>
         <translation>Fügt eine Kamera hinzu, die sieht, was die Ansicht sieht</translation>
-    </message>
-    <message>
-        <source>Use</source>
-        <translation>Verwenden</translation>
     </message>
     <message>
         <source>Uses it: it is what is rendered</source>
@@ -1769,6 +1877,10 @@
         <translation>Faktor der Größe des Netzes</translation>
     </message>
     <message>
+        <source>Set holdout of %1</source>
+        <translation>Holdout von %1 setzen</translation>
+    </message>
+    <message>
         <source>More placements of this surface, at random points of another one</source>
         <translation>Mehr Exemplare dieser Oberfläche an zufälligen Stellen einer anderen</translation>
     </message>
@@ -2253,8 +2365,16 @@
         <translation>Das Foto ist eines von mehreren, deren Namen sich in der Bildnummer unterscheiden: zeigt das letzte bis zum aktuellen Bild</translation>
     </message>
     <message>
-        <source>A photographed picture over the frame of the camera, to match the scene with. It is not rendered, and not saved with the scene</source>
-        <translation>Ein Foto über dem Bild der Kamera, um die Szene daran anzupassen. Es wird nicht gerendert und nicht mit der Szene gespeichert</translation>
+        <source>Behind the fog</source>
+        <translation>Hinter dem Nebel</translation>
+    </message>
+    <message>
+        <source>The plate is seen through the fog, in place of the environment, and where surfaces are held out (panel Surface)</source>
+        <translation>Das Foto ist durch den Nebel zu sehen, an Stelle der Umgebung und dort, wo Oberflächen Holdouts sind (Bedienfeld Oberfläche)</translation>
+    </message>
+    <message>
+        <source>A photographed picture over the frame of the camera, or behind its fog, to match the scene with. It is not rendered, and not saved with the scene</source>
+        <translation>Ein Foto über dem Bild der Kamera oder hinter dessen Nebel, um die Szene daran anzupassen. Es wird nicht gerendert und nicht mit der Szene gespeichert</translation>
     </message>
     <message>
         <source>Unit: %1</source>
@@ -2449,20 +2569,8 @@
         <translation>Sequenz %1, Frames %2 bis %3</translation>
     </message>
     <message>
-        <source>Lights</source>
-        <translation>Lichter</translation>
-    </message>
-    <message>
         <source>Environment: %1</source>
         <translation>Umgebung: %1</translation>
-    </message>
-    <message>
-        <source>Surfaces</source>
-        <translation>Oberflächen</translation>
-    </message>
-    <message>
-        <source>Cameras</source>
-        <translation>Kameras</translation>
     </message>
     <message>
         <source>Lock: the view leaves it alone</source>
@@ -2767,10 +2875,6 @@ Wahl von Auto</translation>
         <translation>Die Kurven aller Werte zeigen</translation>
     </message>
     <message>
-        <source>All</source>
-        <translation>Alle</translation>
-    </message>
-    <message>
         <source>&amp;Isolate</source>
         <translation>Allein zeigen</translation>
     </message>
@@ -2905,10 +3009,6 @@ Wahl von Auto</translation>
     <message>
         <source>Shows the values that have this in their names</source>
         <translation>Zeigt die Werte, die dies im Namen haben</translation>
-    </message>
-    <message>
-        <source>Filter</source>
-        <translation>Filtern</translation>
     </message>
     <message>
         <source>Filter of animated values</source>
@@ -3237,10 +3337,6 @@ Wahl von Auto</translation>
     <message>
         <source>Name of this brush</source>
         <translation>Name dieses Pinsels</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
     </message>
     <message>
         <source>Keeps this brush among your own; its size follows the view</source>
@@ -4438,6 +4534,10 @@ Wahl von Auto</translation>
     <message>
         <source>Export Me&amp;dium…</source>
         <translation>Medium exportieren …</translation>
+    </message>
+    <message>
+        <source>Save as Asse&amp;t…</source>
+        <translation>Als Asse&amp;t speichern…</translation>
     </message>
     <message>
         <source>&amp;Gather into Folder…</source>
@@ -5838,6 +5938,22 @@ Wahl von Auto</translation>
     <message>
         <source>Another seed gives another noise</source>
         <translation>Ein anderer Startwert gibt ein anderes Rauschen</translation>
+    </message>
+    <message>
+        <source>`false` hides it: it is neither seen nor does it cast shadows or reflect light</source>
+        <translation>`false` verbirgt sie: Sie ist nicht zu sehen, wirft keine Schatten und reflektiert kein Licht</translation>
+    </message>
+    <message>
+        <source>`true`: the editor's view neither selects nor moves it</source>
+        <translation>`true`: Die Ansicht des Editors wählt und bewegt sie nicht</translation>
+    </message>
+    <message>
+        <source>Holdout</source>
+        <translation>Holdout</translation>
+    </message>
+    <message>
+        <source>`true`: the camera sees none of it, but the plate in its place, through the fog in front of it; it ends the fog, casts shadows and reflects light as ever</source>
+        <translation>`true`: Die Kamera sieht nichts von ihr, an ihrer Stelle aber das Hintergrundfoto, durch den Nebel davor; sie begrenzt den Nebel, wirft Schatten und reflektiert Licht wie sonst</translation>
     </message>
     <message>
         <source>By how much the homogeneous density rises</source>

@@ -50,6 +50,30 @@ bool is_drawn(TestWindow& window, double opacity) {
   return std::abs(color.alphaF() - opacity) < 0.01 && (opacity == 0.0 || color.red() > 250);
 }
 
+Scene tiny_scene_before_a_wall() {
+  Scene scene = tiny_scene();
+  Surface box;
+  box.name = "box";
+  box.primitive = Primitive{Primitive::Shape::box, {200.0, 200.0, 0.1}};
+  box.mesh = mesh_of(*box.primitive);
+  box.translate = scene.camera.target + 2.0 * (scene.camera.target - scene.camera.eye);
+  scene.surfaces = {box};
+  return scene;
+}
+
+// The picture of the view, in a corner of the camera's frame.
+QColor shown_in_corner(TestWindow& window) {
+  const auto& frame = window.view().camera_controller().frame();
+  const QImage& picture = window.shown().picture;
+  const QPointF place = frame ? frame->topLeft() + QPointF(6.0, 6.0) : QPointF(6.0, 6.0);
+  const double scale = picture.width() / static_cast<double>(window.view().width());
+  return picture.pixelColor((place * scale).toPoint());
+}
+
+bool is_red(const QColor& color) {
+  return color.red() > 240 && color.green() < 12 && color.blue() < 12;
+}
+
 PlatePanel& plates(TestWindow& window) {
   return *window->findChild<PlatePanel*>();
 }
@@ -295,6 +319,41 @@ class PlateTest : public QObject {
     delete_camera(document, "Camera");
     rename_camera(document, "Camera 2", "Camera");
     QCOMPARE(plate_name(window), "Choose…");
+  }
+
+  void a_plate_behind_the_fog_is_seen_around_it_and_where_surfaces_are_held_out() {
+    TestWindow window(tiny_scene_before_a_wall());
+    window.key(Qt::Key_0);
+    choose_red_picture(window);
+    QTRY_VERIFY(is_drawn(window, 0.5));
+    QVERIFY(window.settle());
+    click(window, "plate_behind");
+    QVERIFY(is_drawn(window, 0.0));  // not over it
+    QCOMPARE(value(window, "plate_opacity"), "1");
+    QVERIFY(window.settle());
+    QVERIFY(!is_red(shown_in_corner(window)));  // there is the wall
+    auto* holdout = window->findChild<QCheckBox*>("surface_holdout");
+    QVERIFY(!holdout->isChecked());
+    holdout->click();
+    QCOMPARE(last_step(window.document()), "Set holdout of box");
+    QTRY_VERIFY(is_red(shown_in_corner(window)));
+    QVERIFY(window.settle());
+    QVERIFY(is_red(shown_in_corner(window)));
+    invoke(window, "view.plate");
+    QTRY_VERIFY(!is_red(shown_in_corner(window)));
+    invoke(window, "view.plate");
+    QTRY_VERIFY(is_red(shown_in_corner(window)));
+    window.document().undo_stack().undo();
+    QTRY_VERIFY(!is_red(shown_in_corner(window)));
+    window.document().undo_stack().redo();
+    // It is kept in the settings, and gone with the view through the camera.
+    window->document().save(window.file("scene.brume"));
+    QVERIFY(window.open("scene.brume"));
+    window.key(Qt::Key_0);
+    QTRY_VERIFY(is_red(shown_in_corner(window)));
+    QVERIFY(window->findChild<QCheckBox*>("plate_behind")->isChecked());
+    window.key(Qt::Key_Home);
+    QTRY_VERIFY(!is_red(shown_in_corner(window)));
   }
 
   void focal_lengths_are_before_the_chosen_film_back() {

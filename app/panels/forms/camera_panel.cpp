@@ -22,6 +22,7 @@
 #include "app/document/words.h"
 #include "app/panels/forms/plate_panel.h"
 #include "app/widgets/keys.h"
+#include "app/widgets/mnemonics.h"
 #include "app/widgets/rows.h"
 #include "core/number_domain.h"
 #include "core/scene/cameras.h"
@@ -119,8 +120,8 @@ QWidget* CameraPanel::new_buttons() {
 }
 
 void CameraPanel::add_toggle(QAction* action) {
-  auto* box = named(new QCheckBox(action->text().remove('&'), this), action->objectName() + "_box",
-                    action->toolTip());
+  auto* box = named(new QCheckBox(without_mnemonic(action->text()), this),
+                    action->objectName() + "_box", action->toolTip());
   box->setChecked(action->isChecked());
   connect(box, &QCheckBox::toggled, action, [action](bool on) {
     if (action->isChecked() != on) action->trigger();

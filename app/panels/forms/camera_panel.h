@@ -28,7 +28,8 @@ class CameraPanel : public SceneForm {
 
  Q_SIGNALS:
   void look_through_asked_for();
-  void plate_changed(const QImage& picture, double opacity);  // of the camera in use
+  // Of the camera in use.
+  void plate_changed(const QImage& picture, double opacity, bool is_behind);
 
  private:
   QWidget* new_list();

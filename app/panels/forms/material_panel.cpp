@@ -16,6 +16,7 @@
 #include "core/io/merl_file.h"
 #include "core/number_domain.h"
 #include "core/scene/fields/copies_fields.h"
+#include "core/scene/fields/surface_fields.h"
 #include "core/scene/imported_scene.h"
 
 namespace brume {
@@ -84,6 +85,7 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
   });
   transfer_->setToolTip(tr("Where light is scattered once; all orders shadow and reflect anyway"));
   form->addRow(tr("Radiance transfer"), transfer_);
+  add_holdout(*form);
   show_length_units(*this, {"surface_position", "surface_size"});
   refresh();
 }
@@ -200,6 +202,22 @@ void MaterialPanel::add_placement_fields(QFormLayout& form) {
               }},
              new_surface_key("surface_scale", "scale"))
       ->setToolTip(tr("Factor of the size of the mesh"));
+}
+
+// The outliner has the other values of surfaces that are true or false.
+void MaterialPanel::add_holdout(QFormLayout& form) {
+  visit_fields<Surface>([&](const auto& field) {
+    if (field.info.name != std::string_view("holdout")) return;
+    add_field(form, field,
+              {.prefix = "surface_",
+               .get = [this] { return surface(); },
+               .set =
+                   [this](const Surface& changed, const FieldInfo&, MergeId gesture) {
+                     change_shown(tr("Set holdout of %1"), gesture,
+                                  [&](Surface& s) { s.holdout = changed.holdout; });
+                   },
+               .track = {}});
+  });
 }
 
 const Scatter* MaterialPanel::scatter() const {

@@ -24,6 +24,7 @@ class MaterialPanel : public SceneForm {
   // The button for keyframes of a value of the surface, by its name in files.
   KeyButton* new_surface_key(const QString& field, const char* name);
   void add_placement_fields(QFormLayout& form);
+  void add_holdout(QFormLayout& form);
   void add_copies_fields(QFormLayout& form);
   void add_material_fields(QFormLayout& form);
   void show_materials();

@@ -88,22 +88,35 @@ PlatePanel::PlatePanel(Document& document, std::function<QString()> camera, QWid
                          tr("The picture is one of several, whose names differ in the number of "
                             "the frame: shows the last one up to the current frame"));
   form->addRow({}, sequence);
+  auto* behind = named(new QCheckBox(tr("Behind the fog"), this), "plate_behind",
+                       tr("The plate is seen through the fog, in place of the environment, and "
+                          "where surfaces are held out (panel Surface)"));
+  form->addRow({}, behind);
+  connect(behind, &QCheckBox::clicked, this, [this](bool on) {
+    Plate changed = plate();
+    changed.is_behind = on;
+    if (on) changed.opacity = 1.0;
+    set_plate(changed);
+  });
   connect(sequence, &QCheckBox::clicked, this, [this](bool on) {
     Plate changed = plate();
     changed.is_sequence = on;
     set_plate(changed);
   });
-  on_refresh([this, choose, remove, sequence] {
+  on_refresh([this, choose, remove, sequence, behind] {
     const QString file = plate().file;
     choose->setText(file.isEmpty() ? tr("Choose…") : to_qstring(to_path(file).filename()));
     choose->setToolTip(plain_tool_tip(
-        file.isEmpty() ? tr("A photographed picture over the frame of the camera, to match the "
-                            "scene with. It is not rendered, and not saved with the scene")
-                       : file));
-    for (QWidget* widget : {static_cast<QWidget*>(remove), static_cast<QWidget*>(sequence)}) {
+        file.isEmpty()
+            ? tr("A photographed picture over the frame of the camera, or behind its fog, "
+                 "to match the scene with. It is not rendered, and not saved with the "
+                 "scene")
+            : file));
+    for (QWidget* widget : std::initializer_list<QWidget*>{remove, sequence, behind}) {
       widget->setEnabled(!file.isEmpty());
     }
     sequence->setChecked(plate().is_sequence);
+    behind->setChecked(plate().is_behind);
   });
   on_change(document_, Change::scene, this, &PlatePanel::restore);
   on_change(document_, Change::file, this, &PlatePanel::store);
@@ -195,9 +208,9 @@ void PlatePanel::restore() {
     const QVariantMap values = entry.toMap();
     const double opacity = values.value("opacity").toDouble();
     const bool is_allowed = domain::unit.contains(opacity);
-    plates_[key_of(values.value("camera").toString())] = {values.value("picture").toString(),
-                                                          is_allowed ? opacity : Plate().opacity,
-                                                          values.value("sequence").toBool()};
+    plates_[key_of(values.value("camera").toString())] = {
+        values.value("picture").toString(), is_allowed ? opacity : Plate().opacity,
+        values.value("sequence").toBool(), values.value("behind").toBool()};
   }
   show_plate();
 }
@@ -215,7 +228,8 @@ void PlatePanel::store() const {
                                 {"camera", camera},
                                 {"picture", found->second.file},
                                 {"opacity", found->second.opacity},
-                                {"sequence", found->second.is_sequence}});
+                                {"sequence", found->second.is_sequence},
+                                {"behind", found->second.is_behind}});
   }
   settings.setValue(plates_key, QVariantList(entries.mid(0, max_plates)));
 }
@@ -273,7 +287,7 @@ void PlatePanel::show_plate() {
     }
   }
   refresh();
-  Q_EMIT plate_changed(picture_, shown.opacity);
+  Q_EMIT plate_changed(picture_, shown.opacity, shown.is_behind);
 }
 
 }  // namespace brume

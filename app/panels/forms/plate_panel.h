@@ -16,9 +16,9 @@
 
 namespace brume {
 
-// A photographed picture over the frame of a camera, to match the scene with. That of the camera in
-// use is shown. It is no part of the scene: the user's settings keep it, by scene file and name of
-// the camera.
+// A photographed picture over the frame of a camera, or behind its fog, to match the scene with.
+// That of the camera in use is shown. It is no part of the scene: the user's settings keep it, by
+// scene file and name of the camera.
 class PlatePanel : public SceneForm {
   Q_OBJECT
  public:
@@ -32,13 +32,14 @@ class PlatePanel : public SceneForm {
   void set_picture(const std::filesystem::path& file);
 
  Q_SIGNALS:
-  void plate_changed(const QImage& picture, double opacity);  // null: there is none
+  void plate_changed(const QImage& picture, double opacity, bool is_behind);  // null: none
 
  private:
   struct Plate {
     QString file;  // empty: none
     double opacity = 0.5;
     bool is_sequence = false;  // the file is one of several, which are numbered by frame
+    bool is_behind = false;    // it is seen through the fog, in place of the environment
   };
 
   // A camera by its name, and the revision of the document since when it is there by that: another
