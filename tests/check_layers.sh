@@ -130,6 +130,7 @@ app/import/*.[hc]*:app/document/ app/commands/ app/widgets/ app/jobs/ app/files/
 app/view/*.[hc]*:app/document/ app/widgets/ app/jobs/
 app/frames/*.[hc]*:app/document/ app/widgets/ app/jobs/ app/view/
 app/tools/*.[hc]*:app/document/ app/commands/ app/widgets/ app/view/
+app/assets/*.[hc]*:app/document/ app/commands/ app/widgets/ app/jobs/ app/files/ app/import/ app/view/ app/tools/
 app/panels/forms/*.[hc]*:$panels
 app/panels/gaussians/*.[hc]*:$panels
 app/panels/time/*.[hc]*:$panels

@@ -52,8 +52,12 @@ void save_recent_picture(const std::filesystem::path& scene, const QImage& pictu
 }
 
 QIcon recent_picture(const std::filesystem::path& scene) {
-  const QPixmap picture(picture_file(scene));
-  return picture.isNull() ? QIcon() : QIcon(picture);
+  const QImage picture = recent_image(scene);
+  return picture.isNull() ? QIcon() : QIcon(QPixmap::fromImage(picture));
+}
+
+QImage recent_image(const std::filesystem::path& scene) {
+  return QImage(picture_file(scene));
 }
 
 void show_large_icons(QMenu& menu) {

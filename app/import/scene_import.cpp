@@ -8,7 +8,9 @@
 #include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/files/file_dialogs.h"
+#include "app/import/add_asset.h"
 #include "app/import/add_imported.h"
+#include "app/import/asset_kind.h"
 #include "app/import/folder_dialog.h"
 #include "app/import/import_kind.h"
 #include "app/import/scene_dialog.h"
@@ -23,6 +25,7 @@
 #include "core/io/image/radiance_map_file.h"
 #include "core/io/import/imported_scene_file.h"
 #include "core/io/ply.h"
+#include "core/io/scene/scene_file.h"
 #include "core/io/volume/volume_file.h"
 #include "core/medium/splat.h"
 
@@ -102,8 +105,9 @@ bool SceneImport::start(const fs::path& file, const BackgroundJob::Work& work) {
   return false;
 }
 
-void SceneImport::import_file(const fs::path& given) {
+void SceneImport::import_file(const fs::path& given, const std::optional<ImportSpot>& spot) {
   const fs::path path = fs::absolute(given);
+  spot_ = spot;
   if (is_volume(path)) {
     auto* dialog = new VolumeDialog(path, std::nullopt, window_);
     connect(dialog, &VolumeDialog::requested, this,
@@ -120,6 +124,22 @@ void SceneImport::import_file(const fs::path& given) {
           return read(file, options, answered.stop, true);
         });
       });
+    };
+  });
+}
+
+void SceneImport::import_asset(const fs::path& file, const std::optional<ImportSpot>& spot) {
+  if (lower_case_extension(file) != ".brume") return import_file(file, spot);
+  spot_ = spot;
+  start(file, [this, file](const Job&) -> BackgroundJob::Apply {
+    std::vector<std::string> warnings;
+    const auto asset = std::make_shared<const Scene>(load_document(file, &warnings).scene);
+    return [this, asset, name = asset_name(file), text = lines_of(warnings)] {
+      if (!text.isEmpty()) Q_EMIT warned(text);
+      add_placed(tr("Add %1").arg(name), box_of_asset(*asset),
+                 [this, asset, name](const QString& step, const ImportPlacement& placement) {
+                   add_asset(document_, *asset, name, placement, step);
+                 });
     };
   });
 }
@@ -164,6 +184,7 @@ BackgroundJob::Apply SceneImport::read(const File& file, const SplatOptions& opt
       return [this, surface, text = lines_of(warnings)] {
         if (!text.isEmpty()) Q_EMIT warned(text);
         add_placed(tr("Import %1").arg(to_qstring(surface.mesh_file.filename())),
+                   world_box(surface),
                    [this, surface](const QString& name, const ImportPlacement& placement) {
                      add_surfaces({placed(surface, placement)}, name);
                    });
@@ -237,21 +258,24 @@ void SceneImport::add_scene(const std::shared_ptr<const ImportedScene>& scene,
   // All else of the file stays where the file has it.
   const bool is_mesh = gaussians.empty() && !scene->parts.empty() &&
                        !(cameras && !scene->cameras.empty()) && !(lights && !scene->lights.empty());
-  is_mesh ? add_placed(text, add) : add(text, {});
+  is_mesh ? add_placed(text, world_box(surface_of(scene)), add) : add(text, {});
 }
 
 void SceneImport::add_placed(const std::vector<Gaussian>& gaussians) {
-  add_placed(tr("Import"),
+  Scene all;
+  for (const Gaussian& gaussian : gaussians) all.medium.append(gaussian);
+  add_placed(tr("Import"), box_of_asset(all),
              [this, gaussians](const QString& name, const ImportPlacement& placement) {
                add_gaussians(document_, placed(gaussians, placement), name);
              });
 }
 
-void SceneImport::add_placed(const QString& text, const AddPlaced& add) {
-  document_.last_operation().perform(
-      {text, ImportPlacement(), [text, add](const std::any& placement) {
-         add(text, std::any_cast<ImportPlacement>(placement));
-       }});
+void SceneImport::add_placed(const QString& text, const MeshBox& box, const AddPlaced& add) {
+  ImportPlacement start;
+  if (spot_) start.position = spot_->shift_of(box);
+  document_.last_operation().perform({text, start, [text, add](const std::any& placement) {
+                                        add(text, std::any_cast<ImportPlacement>(placement));
+                                      }});
 }
 
 BackgroundJob::Apply SceneImport::read(const FrameRun& run) {
@@ -269,6 +293,7 @@ BackgroundJob::Apply SceneImport::read(const FrameRun& run) {
 }
 
 void SceneImport::import_files(const std::vector<fs::path>& files) {
+  spot_.reset();
   std::vector<fs::path> possible;
   QStringList others;
   for (const fs::path& file : files) {

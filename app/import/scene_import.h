@@ -9,6 +9,7 @@
 #include "app/commands/operation_numbers.h"
 #include "app/import/frame_run.h"
 #include "app/import/import_kind.h"
+#include "app/import/import_spot.h"
 #include "app/import/splat_dialog.h"
 #include "app/import/volume_fit.h"
 #include "app/jobs/background_job.h"
@@ -34,7 +35,12 @@ class SceneImport : public QObject {
   void ask();
   void ask_sequence();
 
-  void import_file(const std::filesystem::path& file);  // also asks for a volume's fit options
+  // Also asks for a volume's fit options. `spot`: where Gaussians, meshes and assets are put;
+  // nullopt: where the file has them.
+  void import_file(const std::filesystem::path& file, const std::optional<ImportSpot>& spot = {});
+  // The same of a file of the asset library, where scenes are what they add to this one.
+  void import_asset(const std::filesystem::path& file, const std::optional<ImportSpot>& spot);
+  [[nodiscard]] bool has_spot() const { return spot_.has_value(); }  // what was imported last
   // Imports dropped files: frames of one sequence as such, others individually as one undo step.
   // Reports unsupported ones.
   void import_files(const std::vector<std::filesystem::path>& files);
@@ -88,7 +94,7 @@ class SceneImport : public QObject {
                  const std::vector<Gaussian>& gaussians, bool cameras, bool lights);
   // Adds something that can be placed otherwise as the last operation.
   using AddPlaced = std::function<void(const QString& text, const ImportPlacement& placement)>;
-  void add_placed(const QString& text, const AddPlaced& add);
+  void add_placed(const QString& text, const MeshBox& box, const AddPlaced& add);
   void add_placed(const std::vector<Gaussian>& gaussians);
   void import_each(const std::vector<std::filesystem::path>& files,
                    const std::optional<FrameRun>& run);
@@ -102,6 +108,7 @@ class SceneImport : public QObject {
   Document& document_;
   BackgroundJob& job_;
   QWidget* window_;
+  std::optional<ImportSpot> spot_;  // of what is being imported
 };
 
 }  // namespace brume

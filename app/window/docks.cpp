@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/assets/asset_panel.h"
 #include "app/document/document.h"
 #include "app/document/timeline.h"
 #include "app/panels/forms/adjust_panel.h"
@@ -29,7 +30,9 @@
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
 #include "app/widgets/rows.h"
+#include "app/window/file_jobs.h"
 #include "app/window/frame_output.h"
+#include "app/window/pages/message_bar.h"
 
 namespace brume {
 namespace {
@@ -70,7 +73,7 @@ QWidget* scrolled(QWidget* panel) {
 
 }  // namespace
 
-Docks::Docks(const Workspace& work, FrameOutput& output, QMainWindow& window)
+Docks::Docks(const Workspace& work, FrameOutput& output, FileJobs& jobs, QMainWindow& window)
     : QObject(&window), work_(work), output_(output), window_(window) {
   add_scene_panels();
   add_frame_panels();
@@ -78,6 +81,7 @@ Docks::Docks(const Workspace& work, FrameOutput& output, QMainWindow& window)
     connect(form, &SceneForm::refused, this, work_.show_status);
   }
   add_time_panels();
+  add_assets(jobs);
   auto* adjust = new AdjustPanel(work_.document, &work_.views);
   connect(adjust, &AdjustPanel::refused, this, work_.show_status);
   on_change(work_.document, Change::object, this, [this] {
@@ -148,6 +152,20 @@ void Docks::add_frame_panels() {
   performance->raise();
   window_.resizeDocks({gaussians_}, {400}, Qt::Horizontal);
   window_.resizeDocks({outliner_, gaussians_, performance}, {150, 420, 170}, Qt::Vertical);
+}
+
+// An asset that is added without the mouse goes to the middle of the view.
+void Docks::add_assets(FileJobs& jobs) {
+  auto* assets = new AssetPanel(work_.document, work_.tools, &window_);
+  connect(assets, &AssetPanel::add_asked, &jobs, [this, &jobs](const std::filesystem::path& file) {
+    Viewport& view = work_.views.active();
+    jobs.add_asset(file, view, QRectF(view.rect()).center());
+  });
+  connect(assets, &AssetPanel::told, this, work_.show_status);
+  connect(assets, &AssetPanel::refused, &work_.messages, &MessageBar::show_error);
+  QDockWidget* dock = add(tr("Assets"), "assets_dock", assets);
+  window_.tabifyDockWidget(groups_, dock);
+  dock->hide();  // the tabs beside it have no room for another one
 }
 
 void Docks::add_time_panels() {

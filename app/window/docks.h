@@ -10,6 +10,7 @@ class QMainWindow;
 
 namespace brume {
 
+class FileJobs;
 class FrameOutput;
 class TimelineBar;
 
@@ -17,7 +18,7 @@ class TimelineBar;
 class Docks : public QObject {
   Q_OBJECT
  public:
-  Docks(const Workspace& work, FrameOutput& output, QMainWindow& window);
+  Docks(const Workspace& work, FrameOutput& output, FileJobs& jobs, QMainWindow& window);
 
   [[nodiscard]] TimelineBar& timeline_bar() { return *timeline_bar_; }
 
@@ -26,6 +27,7 @@ class Docks : public QObject {
   void add_scene_panels();
   void add_frame_panels();
   void add_time_panels();
+  void add_assets(FileJobs& jobs);
   void show_panel_of(Outliner::Kind kind, std::size_t index);
 
   Workspace work_;

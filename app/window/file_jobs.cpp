@@ -4,7 +4,11 @@
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QMimeData>
+#include <exception>
+#include <glm/geometric.hpp>
 
+#include "app/assets/asset_files.h"
+#include "app/assets/save_asset.h"
 #include "app/commands/edit_lights.h"
 #include "app/commands/scene_part_command.h"
 #include "app/commands/simplify_gaussians.h"
@@ -20,6 +24,7 @@
 #include "app/import/imported_reload.h"
 #include "app/import/scene_import.h"
 #include "app/view/bounds.h"
+#include "app/view/paint_point.h"
 #include "app/viewport/view_grid.h"
 #include "app/window/dialogs/simplify_dialog.h"
 #include "app/window/import_size.h"
@@ -57,6 +62,12 @@ bool light_new_scene(Document& document, View& view, Camera& framed) {
   const Light light = light_outside(sphere->center, sphere->radius, view.camera().eye);
   set_scene_part(document, Lights{light}, {});
   return frames;
+}
+
+Viewport* viewport_at(QWidget& window, const QPoint& position) {
+  QWidget* widget = window.childAt(position);
+  while (widget && !qobject_cast<Viewport*>(widget)) widget = widget->parentWidget();
+  return qobject_cast<Viewport*>(widget);
 }
 
 QString simplify_text(const char* source) {
@@ -118,7 +129,8 @@ FileJobs::FileJobs(const Workspace& work, QWidget* window)
                 light_new_scene(work_.document, work_.views.perspective(), framed);
             const bool is_new = !work_.document.scene().surfaces[first].primitive &&
                                 !work_.document.last_operation().is_adjusting();
-            if (is_new) size->show(first, is_framed);
+            // Where it was dropped, the view stays.
+            if (is_new) size->show(first, is_framed || import_->has_spot());
           });
 }
 
@@ -192,7 +204,33 @@ void FileJobs::simplify() {
   dialog->show();
 }
 
+// Lights hang a little before what is under the mouse; all else stands on it.
+void FileJobs::add_asset(const std::filesystem::path& file, View& view, QPointF position) {
+  try {
+    const std::optional<AssetKind> kind = asset_kind(file);
+    if (kind == AssetKind::brush) return use_brush(work_.tools, file);
+    const double room = kind == AssetKind::light ? 0.05 * view.distance() : 0.0;
+    ImportSpot spot{view.camera().target};
+    if (const auto point = paint_point(view, {}, position, room)) {
+      spot.point = point->position;
+      const bool is_seen_from_front = glm::dot(point->normal, view.rays().forward()) < 0.0;
+      if (point->on_surface) spot.normal = is_seen_from_front ? point->normal : -point->normal;
+    }
+    import_->import_asset(file, spot);
+  } catch (const std::exception& error) {
+    work_.messages.show_error(QString::fromUtf8(error.what()));
+  }
+}
+
 void FileJobs::drop(QDropEvent& event) {
+  if (event.mimeData()->hasFormat(asset_mime)) {
+    const QPointF position = event.position();
+    Viewport* view = viewport_at(*window_, position.toPoint());
+    if (!view) return;
+    add_asset(to_path(QString::fromUtf8(event.mimeData()->data(asset_mime))), *view,
+              view->mapFrom(window_, position));
+    return event.acceptProposedAction();
+  }
   std::vector<std::filesystem::path> files;
   for (const QUrl& url : event.mimeData()->urls()) {
     if (url.isLocalFile()) {

@@ -7,12 +7,14 @@
 #include "app/window/workspace.h"
 
 class QDropEvent;
+class QPointF;
 class QWidget;
 
 namespace brume {
 
 class ImportedReload;
 class SceneImport;
+class View;
 
 // Imports, and exports other than frames, in the background: one at a time.
 class FileJobs : public QObject {
@@ -33,6 +35,8 @@ class FileJobs : public QObject {
   void gather_to(const std::filesystem::path& folder);
   void simplify();
   void drop(QDropEvent& event);
+  // Adds an asset where a view is pointed at, or uses a brush.
+  void add_asset(const std::filesystem::path& file, View& view, QPointF position);
   // Whether imported files have been changed by other programs.
   void check_imported();
 

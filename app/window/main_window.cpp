@@ -1,4 +1,5 @@
 #include "app/window/main_window.h"
+#include "app/assets/asset_files.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -88,7 +89,7 @@ MainWindow::MainWindow(QWidget* parent)
   addToolBar(Qt::LeftToolBarArea, new ToolBar(*tools_, this));
   file_jobs_ = new FileJobs(work, this);
   output_ = new FrameOutput(work, *file_jobs_, *this);
-  auto* docks = new Docks(work, *output_, *this);
+  auto* docks = new Docks(work, *output_, *file_jobs_, *this);
   follow_time();  // after the panels, which then have the scene whose time it is
   auto* status = new StatusLine(work, *this,
                                 {&files_->loading(), &views_->transfer_job().job(),
@@ -284,7 +285,8 @@ void MainWindow::changeEvent(QEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+  const QMimeData& dragged = *event->mimeData();
+  if (dragged.hasUrls() || dragged.hasFormat(asset_mime)) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {

@@ -9,6 +9,7 @@
 #include <QSettings>
 #include <algorithm>
 
+#include "app/assets/asset_panel.h"
 #include "app/commands/clipboard.h"
 #include "app/commands/edit_emitters.h"
 #include "app/commands/edit_groups.h"
@@ -116,6 +117,10 @@ void MainMenu::fill_file_menu(QMenu* menu) {
   add(menu, tr("&Export Picture or Animation…"), "file.export",
       [this] { parts_.output.show_output(); });
   add(menu, tr("Export Me&dium…"), "", [this] { parts_.jobs.export_medium(); });
+  add(menu, tr("Save as Asse&t…"), "asset.save", [this] {
+    auto* assets = window_.findChild<AssetPanel*>();
+    assets->save_chosen(assets->chosen_kind());
+  });
   add(menu, tr("&Gather into Folder…"), "", [this] { parts_.jobs.gather(); });
   menu->addSeparator();
   add(menu, tr("&Quit"), "file.quit", [this] { window_.close(); });

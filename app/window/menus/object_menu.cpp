@@ -144,14 +144,14 @@ void ObjectMenu::show_view_menu(Viewport& view, QPointF position) {
   if (const auto& object = work_.document.object()) {
     menu->addSection(object_title(work_.document.scene(), *object));
     add({"tool.move", "tool.rotate", "tool.scale"});
-    add({"edit.rename", "edit.duplicate", "edit.drop", "select.hide", "select.lock",
+    add({"edit.rename", "edit.duplicate", "edit.drop", "select.hide", "select.lock", "asset.save",
          "edit.delete"});
   } else if (!work_.document.selection().empty()) {
     menu->addSection(
         tr("%n Gaussian(s)", nullptr, static_cast<int>(work_.document.selection().size())));
     add({"tool.move", "tool.rotate", "tool.scale"});
     add({"edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "select.hide", "select.lock",
-         "edit.delete"});
+         "asset.save", "edit.delete"});
   } else {
     add({"edit.paste", "select.all"});
   }

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <QFileSystemWatcher>
+#include <QWidget>
+#include <vector>
+
+#include "app/assets/asset_pictures.h"
+
+class QComboBox;
+class QLineEdit;
+class QListWidget;
+class QListWidgetItem;
+class QMenu;
+
+namespace brume {
+
+class Document;
+class ToolBox;
+
+// The files of the asset library: those in the user's folder, and in the folder beside the scene.
+// They are dragged into a view, or added by Enter and a double click; what is chosen in the scene
+// is saved as one.
+class AssetPanel : public QWidget {
+  Q_OBJECT
+ public:
+  AssetPanel(Document& document, const ToolBox& tools, QWidget* parent);
+
+  // Asks for a file.
+  void save_chosen(AssetKind kind);
+  void save_chosen(AssetKind kind, const std::filesystem::path& file);
+  // The kind that "Save as Asset" means: what is selected, else the brush, else the camera.
+  [[nodiscard]] AssetKind chosen_kind() const;
+
+ Q_SIGNALS:
+  void add_asked(const std::filesystem::path& file);
+  void told(const QString& text);
+  void refused(const QString& problem);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  QWidget* new_head();
+  QListWidget* new_list();
+  void fill_save_menu(QMenu& menu);
+  void show_menu(const QPoint& position);
+  void find();  // in the background
+  void show_assets(const std::vector<Asset>& assets);
+  void filter();
+  [[nodiscard]] const Asset* asset_of(const QListWidgetItem* item) const;
+
+  Document& document_;
+  const ToolBox& tools_;
+  QLineEdit* filter_;
+  QComboBox* kinds_;
+  QListWidget* list_;
+  std::vector<Asset> assets_;
+  QFileSystemWatcher watcher_;
+  AssetPictures pictures_;
+  BackgroundJob finding_{BackgroundJob::Policy::latest_wins};
+};
+
+}  // namespace brume
