@@ -25,10 +25,8 @@ bool is_numbered(const FrameExportRequest& request) {
 bool writes(const FrameExportRequest& request, const std::filesystem::path& file) {
   if (!is_numbered(request)) return request.file == file;
   if (request.file.parent_path() != file.parent_path()) return false;
-  for (int frame = request.range->first; frame <= request.range->last; ++frame) {
-    if (numbered_file(request.file, frame) == file) return true;
-  }
-  return false;
+  const std::optional<int> frame = frame_number(request.file, file);
+  return frame && request.range->first <= *frame && *frame <= request.range->last;
 }
 
 bool write_same_file(const FrameExportRequest& a, const FrameExportRequest& b) {

@@ -96,6 +96,24 @@ std::array<float, 3> Picture::at(int x, int y) const {
   return {pixel[0], pixel[1], pixel[2]};
 }
 
+std::size_t layer_bytes(const Picture& picture) {
+  std::size_t bytes = 0;
+  for (const PictureLayer& layer : picture.layers) bytes += layer.values.size() * sizeof(float);
+  return bytes;
+}
+
+std::shared_ptr<const Picture> without_layers(const Picture& picture) {
+  auto result = std::make_shared<Picture>();
+  result->name = picture.name;
+  result->details = picture.details;
+  result->width = picture.width;
+  result->height = picture.height;
+  result->rgb = picture.rgb;
+  result->look = picture.look;
+  result->image = picture.image;
+  return result;
+}
+
 std::shared_ptr<const Picture> make_picture(const Frame& frame, const DisplayLook& look,
                                             const QString& name, const QString& details) {
   auto picture = std::make_shared<Picture>();

@@ -36,6 +36,9 @@ struct Picture {
   [[nodiscard]] std::array<float, 3> at(int x, int y) const;
 };
 
+std::size_t layer_bytes(const Picture& picture);
+std::shared_ptr<const Picture> without_layers(const Picture& picture);
+
 std::shared_ptr<const Picture> make_picture(const Frame& frame, const DisplayLook& look,
                                             const QString& name, const QString& details);
 

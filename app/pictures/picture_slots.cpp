@@ -35,6 +35,7 @@ std::size_t PictureSlots::keep_of_job(int job, std::shared_ptr<const Picture> pi
     slots_[*slot].picture = std::move(picture);
     slots_[*slot].age = ++newest_;
     Q_EMIT changed(*slot);
+    limit_layers();
     return *slot;
   }
   const std::size_t slot = keep(std::move(picture));
@@ -51,6 +52,27 @@ std::optional<std::size_t> PictureSlots::slot_of_job(int job) const {
 void PictureSlots::set(std::size_t slot, std::shared_ptr<const Picture> picture) {
   slots_.at(slot) = {.picture = std::move(picture), .age = ++newest_};
   Q_EMIT changed(slot);
+  limit_layers();
+}
+
+void PictureSlots::set_max_layer_bytes(std::size_t bytes) {
+  max_layer_bytes_ = bytes;
+  limit_layers();
+}
+
+void PictureSlots::limit_layers() {
+  const auto bytes_of = [](const Slot& slot) {
+    return slot.picture ? layer_bytes(*slot.picture) : 0;
+  };
+  std::size_t bytes = 0;
+  for (const Slot& slot : slots_) bytes += bytes_of(slot);
+  while (bytes > max_layer_bytes_) {
+    const auto oldest = std::ranges::min_element(
+        slots_, {}, [&](const Slot& slot) { return bytes_of(slot) > 0 ? slot.age : newest_ + 1; });
+    bytes -= bytes_of(*oldest);
+    oldest->picture = without_layers(*oldest->picture);
+    Q_EMIT changed(static_cast<std::size_t>(oldest - slots_.begin()));
+  }
 }
 
 }  // namespace brume

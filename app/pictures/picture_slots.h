@@ -11,7 +11,8 @@
 
 namespace brume {
 
-// The pictures of a session that can be compared, with names and notes.
+// The pictures of a session that can be compared, with names and notes. Their layers have limited
+// memory: beyond it the oldest go.
 class PictureSlots : public QObject {
   Q_OBJECT
  public:
@@ -34,6 +35,7 @@ class PictureSlots : public QObject {
   // Where the last picture of a job is; nullopt: no more.
   [[nodiscard]] std::optional<std::size_t> slot_of_job(int job) const;
   void set(std::size_t slot, std::shared_ptr<const Picture> picture);  // null: empties it
+  void set_max_layer_bytes(std::size_t bytes);
 
  Q_SIGNALS:
   void changed(std::size_t slot);
@@ -48,7 +50,10 @@ class PictureSlots : public QObject {
     int job = 0;  // 0: of none
   };
 
+  void limit_layers();
+
   std::array<Slot, count> slots_;
+  std::size_t max_layer_bytes_ = std::size_t{1} << 30;
   std::uint64_t newest_ = 0;
 };
 

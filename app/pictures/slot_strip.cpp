@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QScrollBar>
 #include <QToolButton>
+#include <utility>
 
 #include "app/widgets/application.h"
 #include "app/widgets/plain_text.h"
@@ -94,7 +95,7 @@ void SlotStrip::add_tile(QBoxLayout& row, int slot) {
 
 void SlotStrip::show_slot(std::size_t slot) {
   const Picture* picture = slots_.at(slot).get();
-  const Tile& tile = tiles_[slot];
+  Tile& tile = tiles_[slot];
   const int number = static_cast<int>(slot);
   for (const QButtonGroup* group : {a_, b_}) {
     QAbstractButton* button = group->button(number);
@@ -105,7 +106,10 @@ void SlotStrip::show_slot(std::size_t slot) {
     font.setBold(button->isChecked());
     button->setFont(font);
   }
-  tile.thumbnail->setIcon(thumbnail_of(picture, number, devicePixelRatioF()));
+  const qint64 shown = picture ? picture->image.cacheKey() : 0;
+  if (std::exchange(tile.shown, shown) != shown) {
+    tile.thumbnail->setIcon(thumbnail_of(picture, number, devicePixelRatioF()));
+  }
   const QString name = slots_.name(slot);
   tile.name->setText(tile.name->fontMetrics().elidedText(name, Qt::ElideRight, tile.name->width()));
   QStringList lines;

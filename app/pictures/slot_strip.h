@@ -32,6 +32,7 @@ class SlotStrip : public QScrollArea {
   struct Tile {
     QToolButton* thumbnail;
     QLabel* name;
+    qint64 shown = -1;  // the picture of the thumbnail; 0: none
   };
   void add_tile(QBoxLayout& row, int slot);
   void show_slot(std::size_t slot);

@@ -32,7 +32,11 @@ PictureWindow::PictureWindow(const Workspace& work, FileJobs& jobs, QMainWindow&
   }
   viewer_->addActions({show, keep});
   show->setCheckable(true);
-  connect(show, &QAction::triggered, this, [this](bool on) { on ? this->show() : close(); });
+  connect(show, &QAction::triggered, this, [this, show](bool on) {
+    if (!on && !viewer_->isMinimized()) return close();
+    this->show();
+    show->setChecked(true);
+  });
   connect(keep, &QAction::triggered, this, &PictureWindow::keep_view);
   connect(viewer_, &PictureViewer::visibility_changed, this, [this, show](bool visible) {
     show->setChecked(visible);

@@ -86,6 +86,23 @@ class PictureViewerTest : public QObject {
     QVERIFY(!pictures.slot_of_job(7));
   }
 
+  void layers_beyond_their_memory_go_from_the_oldest_pictures() {
+    PictureSlots pictures;
+    for (int k = 0; k < 3; ++k) {
+      auto picture = std::make_shared<Picture>(*plain("a", 1.0F));
+      picture->layers = {{"airlight", 3, picture->rgb}};
+      pictures.keep(picture);
+    }
+    const std::size_t each = layer_bytes(*pictures.at(0));
+    QCOMPARE(each, std::size_t{40 * 30 * 3 * 4});
+    pictures.set_max_layer_bytes(2 * each);
+    QVERIFY(pictures.at(0)->layers.empty());
+    QVERIFY(!pictures.at(0)->image.isNull());
+    QVERIFY(!pictures.at(1)->layers.empty() && !pictures.at(2)->layers.empty());
+    pictures.set(0, pictures.at(2));
+    QVERIFY(pictures.at(1)->layers.empty() && !pictures.at(0)->layers.empty());
+  }
+
   void the_divider_shows_a_left_and_b_right() {
     TestViewer test;
     test.viewer.pictures().keep(plain("red", 1.0F));
