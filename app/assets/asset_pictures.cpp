@@ -30,7 +30,7 @@ constexpr std::size_t max_gaussians = 200'000;
 fs::path cache_name(const fs::path& file) {
   std::error_code error;
   const auto time = fs::last_write_time(file, error).time_since_epoch().count();
-  return fs::path(file).concat("#" + std::to_string(error ? 0 : time));
+  return fs::path(file).concat("#").concat(std::to_string(error ? 0 : time));
 }
 
 // Lit and framed for itself, seen from above to the right.

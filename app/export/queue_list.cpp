@@ -56,9 +56,9 @@ class QueueRows : public QTreeWidget {
     return row;
   }
   // Later: it makes the rows anew, and the drop is not over yet.
-  bool dropMimeData(QTreeWidgetItem* /*onto*/, int row, const QMimeData* data,
+  bool dropMimeData(QTreeWidgetItem* /*onto*/, int row, const QMimeData* dropped,
                     Qt::DropAction /*action*/) override {
-    const int id = data->data(render_mime).toInt();
+    const int id = dropped->data(render_mime).toInt();
     QTimer::singleShot(0, this, [this, id, row] { moved_(id, row); });
     return true;
   }
