@@ -1,6 +1,6 @@
 #include "app/files/scene_load.h"
 
-#include <QStringList>
+#include "app/document/words.h"
 
 namespace brume {
 
@@ -12,9 +12,7 @@ LoadedScene read_scene(const std::filesystem::path& file, const FoundFiles& foun
   loaded.version = FileVersion::read(loaded.file);
   loaded.missing.found = found;
   loaded.document = load_document(loaded.file, &warnings, loaded.missing);
-  QStringList lines;
-  for (const std::string& warning : warnings) lines << QString::fromStdString(warning);
-  loaded.warnings = lines.join('\n');
+  loaded.warnings = lines_of(warnings);
   return loaded;
 }
 

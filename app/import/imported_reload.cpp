@@ -1,10 +1,10 @@
 #include "app/import/imported_reload.h"
 
-#include <QStringList>
 #include <exception>
 #include <set>
 
 #include "app/document/document.h"
+#include "app/document/words.h"
 #include "app/import/add_imported.h"
 #include "core/io/import/imported_scene_file.h"
 
@@ -43,9 +43,7 @@ void ImportedReload::check() {
           failed_[scene->files.front()] = changed;
           Q_EMIT failed(why);
         }
-        QStringList lines;
-        for (const std::string& warning : warnings) lines << QString::fromStdString(warning);
-        if (!lines.empty()) Q_EMIT warned(lines.join('\n'));
+        if (!warnings.empty()) Q_EMIT warned(lines_of(warnings));
       });
     }
     return {};
