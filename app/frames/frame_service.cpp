@@ -97,7 +97,9 @@ class ChosenRenderer {
                              const std::stop_token& stop) {
     const Scene& scene = *request.scene;
     const auto solve = [&] {
-      return renderer_->render(scene, request.camera, film, solved_settings(solved_slices), stop);
+      Settings settings = solved_settings(solved_slices);
+      settings.background_apart = request.settings.background_apart;
+      return renderer_->render(scene, request.camera, film, settings, stop);
     };
     if (request.divisor != 1) return solve();
     const auto is_known = [&] {

@@ -124,34 +124,52 @@ class SurfelFinder {
         starts_at_eye_(start == 0.0),
         origin_(rays.eye() + start * rays.forward()) {}
 
-  [[nodiscard]] std::vector<Found> find() const {
-    std::vector<Found> found;
-    std::vector<DirectionCell> cells = whole_sphere();
+  [[nodiscard]] std::vector<Found> find(const Job& job) const {
+    Parts all{{}, whole_sphere()};
     constexpr int max_halvings = 14;
-    for (int i = 0; i <= max_halvings && !cells.empty(); ++i) {
-      std::vector<DirectionCell> smaller;
-      const std::vector<SurfaceHit> hits = cast(cells);
-      for (std::size_t k = 0; k < cells.size(); ++k) {
-        const DirectionCell& cell = cells[k];
-        const glm::dvec3 w = cell.direction();
-        const bool sends = hits[k] && !hits[k].is_light();
-        SurfacePoint point;
-        if (sends) point = sent_.ray_caster.point(hits[k], origin_, w, sent_.surfaces);
-        const glm::dvec2 size = cell.footprint(sends ? point.normal : w);
-        const bool is_longer_in_z = size.x > size.y;
-        if (i < max_halvings && std::max(size.x, size.y) > max_size(w)) {
-          const auto halves = cell.halves(is_longer_in_z);
-          smaller.insert(smaller.end(), halves.begin(), halves.end());
-        } else if (sends) {
-          found.push_back({cell, hits[k], point});
-        }
+    for (int i = 0; i <= max_halvings && !all.cells.empty(); ++i) {
+      constexpr std::size_t packet = 256;
+      std::vector<Parts> parts((all.cells.size() + packet - 1) / packet);
+      job.parallel_for(parts.size(), [&](std::size_t k) {
+        const std::size_t first = k * packet;
+        const std::size_t count = std::min(packet, all.cells.size() - first);
+        divide(std::span(std::as_const(all.cells)).subspan(first, count), i < max_halvings,
+               parts[k]);
+      });
+      all.cells.clear();
+      for (const Parts& part : parts) {
+        all.found.insert(all.found.end(), part.found.begin(), part.found.end());
+        all.cells.insert(all.cells.end(), part.cells.begin(), part.cells.end());
       }
-      cells = std::move(smaller);
     }
-    return found;
+    return all.found;
   }
 
  private:
+  // What is found, and cells that are too large yet.
+  struct Parts {
+    std::vector<Found> found;
+    std::vector<DirectionCell> cells;
+  };
+
+  void divide(std::span<const DirectionCell> cells, bool may_halve, Parts& parts) const {
+    const std::vector<SurfaceHit> hits = cast(cells);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const DirectionCell& cell = cells[i];
+      const glm::dvec3 w = cell.direction();
+      const bool sends = hits[i] && !hits[i].is_light();
+      SurfacePoint point;
+      if (sends) point = sent_.ray_caster.point(hits[i], origin_, w, sent_.surfaces);
+      const glm::dvec2 size = cell.footprint(sends ? point.normal : w);
+      if (may_halve && std::max(size.x, size.y) > max_size(w)) {
+        const auto halves = cell.halves(size.x > size.y);
+        parts.cells.insert(parts.cells.end(), halves.begin(), halves.end());
+      } else if (sends) {
+        parts.found.push_back({cell, hits[i], point});
+      }
+    }
+  }
+
   [[nodiscard]] std::vector<SurfaceHit> cast(std::span<const DirectionCell> cells) const {
     std::vector<glm::dvec3> directions;
     for (const DirectionCell& cell : cells) directions.push_back(cell.direction());
@@ -176,40 +194,50 @@ class SurfelFinder {
   glm::dvec3 origin_;
 };
 
+struct Surfel {
+  glm::vec3 position{0.0f}, normal{0.0f}, radiance{0.0f};
+  float area = 0.0f;
+  float passing = 0.0f;
+};
+
+void append(SeenSurfels& seen, const Surfel& surfel) {
+  seen.x.push_back(surfel.position.x);
+  seen.y.push_back(surfel.position.y);
+  seen.z.push_back(surfel.position.z);
+  seen.normal_x.push_back(surfel.normal.x);
+  seen.normal_y.push_back(surfel.normal.y);
+  seen.normal_z.push_back(surfel.normal.z);
+  seen.area.push_back(surfel.area);
+  seen.passing.push_back(surfel.passing);
+  for (std::size_t c = 0; c < 3; ++c) {
+    seen.radiance[c].push_back(surfel.radiance[static_cast<int>(c)]);
+  }
+}
+
 }  // namespace
 
 SeenSurfels seen_surfels(const SourceGrid& grid, const SentLight& sent, const CameraRays& rays,
                          double start, const ViewDepths& depths, const Job& job) {
-  const std::vector<SurfelFinder::Found> found = SurfelFinder(sent, rays, start).find();
-  constexpr std::size_t max_lanes = 64;  // of any instruction set
-  const std::size_t size = (found.size() + max_lanes - 1) / max_lanes * max_lanes;
-  SeenSurfels seen;
-  for (std::vector<float>* const values :
-       {&seen.x, &seen.y, &seen.z, &seen.normal_x, &seen.normal_y, &seen.normal_z, &seen.area,
-        &seen.passing, &seen.radiance[0], &seen.radiance[1], &seen.radiance[2]}) {
-    values->resize(size);
-  }
+  const std::vector<SurfelFinder::Found> found = SurfelFinder(sent, rays, start).find(job);
+  std::vector<Surfel> surfels(found.size());
   job.parallel_for(found.size(), [&](std::size_t i) {
     const auto& [cell, hit, point] = found[i];
-    const glm::dvec3 w = cell.direction();
-    const double cosine = std::max(-glm::dot(point.normal, w), DirectionCell::min_cosine);
-    const double area = cell.height * cell.width * hit.distance * hit.distance / cosine;
+    const double cosine =
+        std::max(-glm::dot(point.normal, cell.direction()), DirectionCell::min_cosine);
     const double from_eye = rays.distance_to(point.position);
     const glm::dvec3 view = rays.towards(point.position);
-    const glm::vec3 offset(point.position - rays.eye());
-    const glm::vec3 normal(point.normal);
-    const glm::vec3 radiance = radiance_at(grid, sent, point);
-    seen.x[i] = offset.x;
-    seen.y[i] = offset.y;
-    seen.z[i] = offset.z;
-    seen.normal_x[i] = normal.x;
-    seen.normal_y[i] = normal.y;
-    seen.normal_z[i] = normal.z;
-    seen.area[i] = static_cast<float>(area);
-    seen.passing[i] =
-        static_cast<float>(std::exp(-depths(point.position - from_eye * view, view, from_eye)));
-    for (std::size_t c = 0; c < 3; ++c) seen.radiance[c][i] = radiance[static_cast<int>(c)];
+    surfels[i] = {
+        glm::vec3(point.position - rays.eye()), glm::vec3(point.normal),
+        radiance_at(grid, sent, point),
+        static_cast<float>(cell.height * cell.width * hit.distance * hit.distance / cosine),
+        static_cast<float>(std::exp(-depths(point.position - from_eye * view, view, from_eye)))};
   });
+  SeenSurfels seen;
+  for (const Surfel& surfel : surfels) {
+    if (surfel.area > 0.0f && surfel.radiance != glm::vec3(0.0f)) append(seen, surfel);
+  }
+  constexpr std::size_t max_lanes = 64;  // of any instruction set
+  while (seen.size() % max_lanes != 0) append(seen, {});
   return seen;
 }
 

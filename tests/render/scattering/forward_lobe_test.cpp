@@ -95,7 +95,7 @@ TEST(ForwardLobe, ScattersTheLightOfAFloorUpToTheHorizon) {
   scene.optics.anisotropy = 0.85;
   scene.lights = {{{}, glm::dvec3(5.0), light::Directional{{0, -1, 0}}}};
   scene.surfaces.push_back(placed(Primitive::Shape::plane, {174, 1, 174}, {0, 0, 0}, 0.5));
-  const Frame truth = render_frame(scene, path_traced(4096));
+  const Frame truth = traced_truth(scene, 4096);
   const Frame frame = render_frame(scene, all_orders(24, {.nodes = 40'000}));
   const Difference airlight = difference(frame.airlight, truth.airlight);
   EXPECT_LT(std::abs(airlight.bias), 0.05);
