@@ -78,7 +78,7 @@ std::vector<float> without_alpha(const std::vector<float>& beauty) {
   return colors;
 }
 
-// What few paths of the same scene see on the mean.
+// The mean that few paths of the same scene see.
 Json to_means(const Frame& few) {
   return {{"airlight", static_cast<float>(mean_of(few.airlight))},
           {"beauty", static_cast<float>(mean_of(without_alpha(few.beauty)))}};

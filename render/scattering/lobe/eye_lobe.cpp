@@ -98,8 +98,8 @@ namespace {
 
 HWY_EXPORT(Scatter);
 
-// How far before the eye the medium begins, at least: from afar the eye itself would tell nothing
-// in it apart.
+// The distance from the eye to the medium, at least: from afar the eye itself would tell nothing in
+// it apart.
 double start_of(const SourceGrid& grid, const LobedMedium& medium, const CameraRays& rays) {
   const SourceGrid::Level& finest = grid.levels().front();
   const glm::dvec3 half =

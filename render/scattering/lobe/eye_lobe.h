@@ -23,7 +23,7 @@ namespace brume {
 class EyeLobe {
  public:
   EyeLobe() = default;  // nothing
-  // In parallel. Invalid after the job was stopped.
+  // Works in parallel. The result is invalid after the job was stopped.
   EyeLobe(const SourceGrid& grid, const SentLight& sent, const LobedMedium& medium,
           const CameraRays& rays, const Job& job);
 

@@ -72,7 +72,7 @@ void LobeColumns::fill_hidden(std::span<glm::vec4> values) const {
         for (int x = 0; x < size.x; ++x) {
           const std::size_t column = column_index(x, y);
           if (!was_hidden[column]) continue;
-          const std::optional<glm::vec4> value = beside(values, {x, y, layer}, was_hidden);
+          const std::optional<glm::vec4> value = mean_continued(values, {x, y, layer}, was_hidden);
           if (!value) continue;
           values[first_of(layer) + column] = *value;
           is_hidden[column] = false;
@@ -83,8 +83,9 @@ void LobeColumns::fill_hidden(std::span<glm::vec4> values) const {
   }
 }
 
-std::optional<glm::vec4> LobeColumns::beside(std::span<const glm::vec4> values, const Place& place,
-                                             const std::vector<bool>& is_hidden) const {
+std::optional<glm::vec4> LobeColumns::mean_continued(std::span<const glm::vec4> values,
+                                                     const Place& place,
+                                                     const std::vector<bool>& is_hidden) const {
   glm::vec4 sum(0.0f);
   float number = 0.0f;
   for (int v = std::max(place.y - 1, 0); v <= std::min(place.y + 1, size.y - 1); ++v) {
@@ -102,15 +103,16 @@ std::optional<glm::vec4> LobeColumns::beside(std::span<const glm::vec4> values, 
 // points down to it: from its end on the value changes as the one beside it does. A silhouette
 // hides a place of which only that tells.
 glm::vec4 LobeColumns::continued(std::span<const glm::vec4> values, const Place& place,
-                                 std::size_t beside) const {
+                                 std::size_t neighbour) const {
   const std::size_t column = column_index(place.x, place.y);
   const std::size_t layer = first_of(place.layer);
-  const glm::dvec3 passing = eye_ + offsets_[beside] + distance(place.layer) * directions_[beside];
+  const glm::dvec3 passing =
+      eye_ + offsets_[neighbour] + distance(place.layer) * directions_[neighbour];
   const bool goes_on = glm::dot(passing - points_[column], normals_[column]) > 0.0;
-  if (!goes_on) return values[layer + beside];
+  if (!goes_on) return values[layer + neighbour];
   if (place.layer == 0 || !hides(column, place.layer - 1)) return values[layer + column];
-  const std::size_t before = first_of(place.layer - 1);
-  return values[before + column] + values[layer + beside] - values[before + beside];
+  const std::size_t nearer = first_of(place.layer - 1);
+  return values[nearer + column] + values[layer + neighbour] - values[nearer + neighbour];
 }
 
 }  // namespace brume

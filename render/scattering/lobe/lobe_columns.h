@@ -27,11 +27,11 @@ class LobeColumns {
   [[nodiscard]] const glm::dvec3& direction(std::size_t column) const {
     return directions_[column];
   }
-  // Where it begins, from the eye.
+  // The start of its ray, relative to the eye.
   [[nodiscard]] const glm::dvec3& offset(std::size_t column) const { return offsets_[column]; }
 
   [[nodiscard]] double start() const { return start_; }
-  // From the start to the layer in the middle.
+  // The distance from the start to the layer in the middle.
   [[nodiscard]] double distance() const { return distance_; }
   [[nodiscard]] double distance(int layer) const {
     return start_ + distance_ * layer / (size.z - layer);
@@ -42,7 +42,7 @@ class LobeColumns {
   // The distance up to which light is gathered: not so near a surface that its parts are told
   // apart.
   [[nodiscard]] double end(std::size_t column) const;
-  // Whether a surface hides the place of a layer.
+  // Tells whether a surface hides the place of a layer.
   [[nodiscard]] bool hides(std::size_t column, int layer) const {
     return distance(layer) > end(column);
   }
@@ -57,11 +57,11 @@ class LobeColumns {
   };
 
   [[nodiscard]] glm::vec4 continued(std::span<const glm::vec4> values, const Place& place,
-                                    std::size_t beside) const;
+                                    std::size_t neighbour) const;
   // The mean of what those continue that are seen beside it.
-  [[nodiscard]] std::optional<glm::vec4> beside(std::span<const glm::vec4> values,
-                                                const Place& place,
-                                                const std::vector<bool>& is_hidden) const;
+  [[nodiscard]] std::optional<glm::vec4> mean_continued(std::span<const glm::vec4> values,
+                                                        const Place& place,
+                                                        const std::vector<bool>& is_hidden) const;
 
   glm::dvec3 eye_;
   double start_;

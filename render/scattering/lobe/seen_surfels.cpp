@@ -74,7 +74,8 @@ struct DirectionCell {
   [[nodiscard]] glm::dvec3 direction() const {
     return {radius() * std::cos(azimuth), radius() * std::sin(azimuth), z};
   }
-  // What it covers of a surface at distance 1 along z and along the azimuth, about; n: unit normal.
+  // The sides of its part of a surface at distance 1, along z and the azimuth, about; n: unit
+  // normal.
   [[nodiscard]] glm::dvec2 footprint(const glm::dvec3& n) const {
     const double r = radius();
     const glm::dvec3 along_azimuth(-std::sin(azimuth), std::cos(azimuth), 0.0);
@@ -146,7 +147,7 @@ class SurfelFinder {
   }
 
  private:
-  // What is found, and cells that are too large yet.
+  // Surfels, and cells that are too large yet.
   struct Parts {
     std::vector<Found> found;
     std::vector<DirectionCell> cells;

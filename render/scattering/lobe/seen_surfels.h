@@ -35,8 +35,9 @@ struct SeenSurfels {
   [[nodiscard]] std::size_t size() const { return x.size(); }
 };
 
-// Those seen from `start` before the eye. Each is narrow beside its distance from there, also where
-// a surface is seen at a grazing angle, and narrower still where the camera looks. In parallel.
+// Returns those seen from `start` before the eye. Each is narrow beside its distance from there,
+// also where a surface is seen at a grazing angle, and narrower still where the camera looks. In
+// parallel.
 SeenSurfels seen_surfels(const SourceGrid& grid, const SentLight& sent, const CameraRays& rays,
                          double start, const ViewDepths& depths, const Job& job);
 

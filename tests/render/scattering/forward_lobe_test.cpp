@@ -73,7 +73,7 @@ Scene over_a_lit_floor() {
   return scene;
 }
 
-// By four bands alone the airlight was 17% off, and as much too dark. What is left is of the light
+// The airlight by four bands alone was 17% off, and as much too dark. What is left is of the light
 // on the floor, whose spot is two nodes and a few directions of the eye wide.
 TEST(ForwardLobe, ScattersTheLightOfSurfacesToTheEye) {
   const Scene scene = over_a_lit_floor();
