@@ -3,10 +3,10 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "app/document/number_text.h"
 #include "app/frames/error_map.h"
+#include "app/widgets/frame_image.h"
 #include "app/widgets/frame_text.h"
 #include "brume/frame.h"
 
@@ -19,16 +19,6 @@ constexpr double error_decades = 2.0;
 constexpr int cost_block = 8;           // pixels that a cost is the mean of, either way
 constexpr double behind_outlines = -2;  // stops
 
-QImage displayed(const Frame& frame, const DisplayLook& look) {
-  const auto bytes = to_display(frame, look);
-  QImage image(frame.film.width, frame.film.height, QImage::Format_RGB888);
-  const auto row = static_cast<std::size_t>(frame.film.width) * 3;
-  for (int y = 0; y < frame.film.height; ++y) {
-    std::memcpy(image.scanLine(y), bytes.data() + static_cast<std::size_t>(y) * row, row);
-  }
-  return image;
-}
-
 QImage airlight_only(const Frame& frame, const DisplayLook& look) {
   Frame only;
   only.film = frame.film;
@@ -37,7 +27,7 @@ QImage airlight_only(const Frame& frame, const DisplayLook& look) {
   for (std::size_t k = 0; k < pixels; ++k) {
     std::copy_n(&frame.airlight[3 * k], 3, &only.beauty[4 * k]);
   }
-  return displayed(only, look);
+  return frame_image(only, {look.exposure, look.view});
 }
 
 QImage depths(const Frame& frame) {
@@ -140,9 +130,9 @@ QImage to_picture(const Frame& frame, const DisplayLook& look, ViewMode mode) {
       return cost_picture(frame);
     case ViewMode::outlines:
     case ViewMode::error:
-      return displayed(frame, {look.exposure + behind_outlines, look.view});
+      return frame_image(frame, {look.exposure + behind_outlines, look.view});
     default:
-      return displayed(frame, look);
+      return frame_image(frame, look);
   }
 }
 

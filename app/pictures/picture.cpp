@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <utility>
 
 #include "app/document/number_text.h"
+#include "app/widgets/frame_image.h"
 #include "app/widgets/frame_text.h"
 #include "brume/frame.h"
 #include "brume/version.h"
@@ -18,16 +18,6 @@ namespace brume {
 namespace {
 
 constexpr const char* distance_layer = "distance";
-
-QImage shown(const Frame& frame, const DisplayLook& look) {
-  const std::vector<std::uint8_t> bytes = to_display(frame, look);
-  QImage image(frame.film.width, frame.film.height, QImage::Format_RGB888);
-  const auto row = static_cast<std::size_t>(frame.film.width) * 3;
-  for (int y = 0; y < frame.film.height; ++y) {
-    std::memcpy(image.scanLine(y), bytes.data() + static_cast<std::size_t>(y) * row, row);
-  }
-  return image;
-}
 
 // Adds the layers of light, and distances.
 void add_layers(const Frame& frame, Picture& picture) {
@@ -81,7 +71,7 @@ QImage layer_image(const PictureLayer& layer, const Picture& picture) {
     }
     frame.beauty[i / 3 * 4 + i % 3] = std::max(value, 0.0F);
   }
-  return shown(frame, layer.name == distance_layer ? DisplayLook() : picture.look);
+  return frame_image(frame, layer.name == distance_layer ? DisplayLook() : picture.look);
 }
 
 bool have_same_size(const Picture& a, const Picture& b) {
@@ -127,7 +117,7 @@ std::shared_ptr<const Picture> make_picture(const Frame& frame, const DisplayLoo
     std::copy_n(&frame.beauty[4 * i], 3, &picture->rgb[3 * i]);
   }
   picture->look = look;
-  picture->image = shown(frame, look);
+  picture->image = frame_image(frame, look);
   add_layers(frame, *picture);
   return picture;
 }
@@ -191,7 +181,7 @@ QImage difference_image(const Picture& a, const Picture& b, double stops) {
   for (std::size_t i = 0; i < a.rgb.size(); ++i) {
     frame.beauty[i / 3 * 4 + i % 3] = std::abs(a.rgb[i] - b.rgb[i]);
   }
-  return shown(frame, {a.look.exposure + stops, a.look.view});
+  return frame_image(frame, {a.look.exposure + stops, a.look.view});
 }
 
 }  // namespace brume

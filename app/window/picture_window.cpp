@@ -74,8 +74,10 @@ void PictureWindow::keep_view() {
     details += tr(" · error %1").arg(errors_text(*error));
   }
   const QString name = tr("View, frame %1").arg(work_.timeline.frame());
+  DisplayLook look = frames.display();
+  look.plate.reset();  // the picture's image shows the radiance that it keeps
   const std::size_t slot =
-      viewer_->pictures().keep(make_picture(shown->frame, frames.display(), name, details));
+      viewer_->pictures().keep(make_picture(shown->frame, look, name, details));
   viewer_->show_new(slot);
   show();
   work_.show_status(tr("Kept in slot %1").arg(slot + 1));

@@ -27,6 +27,7 @@ PlateRow plate_row(const PlateBehind& plate, const Frame& frame, std::size_t row
   const std::size_t plate_y = row * static_cast<std::size_t>(plate.height) / height;
   const std::vector<float> none(3 * width, 0.0f);
   PlateRow result{none, none, none, none};
+  if (frame.transmittance.empty()) return result;  // a layer by itself has nothing behind it
   for (std::size_t x = 0; x < width; ++x) {
     const std::size_t pixel = row * width + x;
     const std::uint8_t* rgba = &plate.rgba[4 * (plate_y * plate_width + x * plate_width / width)];

@@ -17,7 +17,8 @@ struct PlateBehind {
   double opacity = 1.0;            // the rest is the environment
 };
 
-// What a row of a frame shows of a plate, R, G, B per pixel.
+// A row of a frame shows this of a plate, R, G, B per pixel; nothing of it where the frame has no
+// transmittance.
 struct PlateRow {
   std::vector<float> values;    // of a display, in [0, 1]
   std::vector<float> light;     // linear

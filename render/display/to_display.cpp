@@ -82,7 +82,7 @@ void for_each_row(const Frame& frame, const DisplayLook& look, Take&& take) {
     }
     apply_view(look, row);
     if (look.plate) {
-      // As much of the plate as is seen is not to be changed by the view.
+      // The view must not change what is seen of the plate.
       apply_view(look, plate.light);
       for (std::size_t k = 0; k < row.size(); ++k) {
         row[k] += plate.shares[k] * (plate.values[k] - plate.light[k]);

@@ -11,6 +11,7 @@
 #include "app/document/timeline.h"
 #include "app/panels/forms/camera_panel.h"
 #include "app/panels/forms/plate_panel.h"
+#include "app/pictures/picture_viewer.h"
 #include "app/viewport/camera_frame.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/value_field.h"
@@ -354,6 +355,23 @@ class PlateTest : public QObject {
     QVERIFY(window->findChild<QCheckBox*>("plate_behind")->isChecked());
     window.key(Qt::Key_Home);
     QTRY_VERIFY(!is_red(shown_in_corner(window)));
+  }
+
+  void a_plate_behind_the_fog_is_no_part_of_airlight_and_of_kept_pictures() {
+    TestWindow window(tiny_scene());
+    window.key(Qt::Key_0);
+    choose_red_picture(window);
+    QTRY_VERIFY(is_drawn(window, 0.5));
+    click(window, "plate_behind");
+    QTRY_VERIFY(is_red(shown_in_corner(window)));
+    QVERIFY(window.settle());
+    window.view().frames().set_mode(ViewMode::airlight);
+    QTRY_VERIFY(!is_red(shown_in_corner(window)));
+    invoke(window, "render.keep_view");
+    const auto kept = window->findChild<PictureViewer*>()->pictures().at(0);
+    QVERIFY(kept);
+    QVERIFY(!kept->look.plate);
+    QVERIFY(layer_picture(*kept, "airlight"));
   }
 
   void focal_lengths_are_before_the_chosen_film_back() {
