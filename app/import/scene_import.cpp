@@ -101,7 +101,6 @@ bool SceneImport::start(const fs::path& file, const BackgroundJob::Work& work) {
 
 void SceneImport::import_file(const fs::path& given, const std::optional<ImportSpot>& spot) {
   const fs::path path = fs::absolute(given);
-  spot_ = spot;
   if (is_volume(path)) {
     auto* dialog = new VolumeDialog(path, std::nullopt, window_);
     connect(dialog, &VolumeDialog::requested, this,
@@ -109,8 +108,8 @@ void SceneImport::import_file(const fs::path& given, const std::optional<ImportS
     dialog->show();
     return;
   }
-  start(path, [this, path](const Job& job) -> BackgroundJob::Apply {
-    const File file{path, import_kind_of(path)};
+  start(path, [this, path, spot](const Job& job) -> BackgroundJob::Apply {
+    const File file{path, import_kind_of(path), spot};
     if (!needs_answer(file)) return read(file, {}, job.stop, true);
     return [this, file] {
       ask_about_splats(to_qstring(file.path.filename()), [this, file](const SplatOptions& options) {
@@ -124,13 +123,12 @@ void SceneImport::import_file(const fs::path& given, const std::optional<ImportS
 
 void SceneImport::import_asset(const fs::path& file, const std::optional<ImportSpot>& spot) {
   if (lower_case_extension(file) != ".brume") return import_file(file, spot);
-  spot_ = spot;
-  start(file, [this, file](const Job&) -> BackgroundJob::Apply {
+  start(file, [this, file, spot](const Job&) -> BackgroundJob::Apply {
     std::vector<std::string> warnings;
     const auto asset = std::make_shared<const Scene>(load_document(file, &warnings).scene);
-    return [this, asset, name = asset_name(file), text = lines_of(warnings)] {
+    return [this, asset, spot, name = asset_name(file), text = lines_of(warnings)] {
       if (!text.isEmpty()) Q_EMIT warned(text);
-      add_placed(tr("Add %1").arg(name), box_of_asset(*asset),
+      add_placed(tr("Add %1").arg(name), box_of_asset(*asset), spot,
                  [this, asset, name](const QString& step, const ImportPlacement& placement) {
                    add_asset(document_, *asset, name, placement, step);
                  });
@@ -175,30 +173,33 @@ BackgroundJob::Apply SceneImport::read(const File& file, const SplatOptions& opt
     case ImportKind::mesh: {
       std::vector<std::string> warnings;
       const Surface surface = load_surface(path, &warnings);
-      return [this, surface, text = lines_of(warnings)] {
+      return [this, surface, spot = file.spot, text = lines_of(warnings)] {
         if (!text.isEmpty()) Q_EMIT warned(text);
         add_placed(tr("Import %1").arg(to_qstring(surface.mesh_file.filename())),
-                   world_box(surface),
-                   [this, surface](const QString& name, const ImportPlacement& placement) {
-                     add_surfaces({placed(surface, placement)}, name);
+                   world_box(surface), spot,
+                   [this, surface, is_at_spot = spot.has_value()](
+                       const QString& name, const ImportPlacement& placement) {
+                     add_surfaces({placed(surface, placement)}, name, is_at_spot);
                    });
       };
     }
     case ImportKind::splats:
       if (is_scene_file(path)) return read_scene(file, options, stop, asks);
-      return add_splats(path, options);
+      return add_splats(file, options);
     case ImportKind::gaussians:
       break;
   }
-  return [this, gaussians = read_any_gaussians(path, stop)] { add_placed(gaussians); };
+  return [this, spot = file.spot, gaussians = read_any_gaussians(path, stop)] {
+    add_placed(gaussians, spot);
+  };
 }
 
-BackgroundJob::Apply SceneImport::add_splats(const fs::path& file, const SplatOptions& options) {
+BackgroundJob::Apply SceneImport::add_splats(const File& file, const SplatOptions& options) {
   std::vector<std::string> warnings;
-  std::vector<Gaussian> gaussians = read_splats(file, options, &warnings);
-  return [this, gaussians = std::move(gaussians), text = lines_of(warnings)] {
+  std::vector<Gaussian> gaussians = read_splats(file.path, options, &warnings);
+  return [this, spot = file.spot, gaussians = std::move(gaussians), text = lines_of(warnings)] {
     if (!text.isEmpty()) Q_EMIT warned(text);
-    add_placed(gaussians);
+    add_placed(gaussians, spot);
   };
 }
 
@@ -216,27 +217,27 @@ BackgroundJob::Apply SceneImport::read_scene(const File& file, const SplatOption
         file.path, "",
         has_splats ? "its medium is empty" : "found neither meshes nor cameras nor lights");
   }
-  return [this, scene, gaussians, asks, is_empty, text = lines_of(warnings)] {
+  return [this, scene, gaussians, asks, is_empty, spot = file.spot, text = lines_of(warnings)] {
     if (!text.isEmpty()) Q_EMIT warned(text);
-    if (is_empty) return add_placed(gaussians);
+    if (is_empty) return add_placed(gaussians, spot);
     if (!asks || (scene->cameras.empty() && scene->lights.empty())) {
-      add_scene(scene, gaussians, true, true);
+      add_scene({scene, gaussians, spot}, true, true);
       return;
     }
     auto* dialog = new SceneDialog(*scene, window_);
     connect(dialog, &SceneDialog::requested, this,
-            [this, scene, gaussians](bool cameras, bool lights) {
-              add_scene(scene, gaussians, cameras, lights);
+            [this, scene, gaussians, spot](bool cameras, bool lights) {
+              add_scene({scene, gaussians, spot}, cameras, lights);
             });
     dialog->show();
   };
 }
 
-void SceneImport::add_scene(const std::shared_ptr<const ImportedScene>& scene,
-                            const std::vector<Gaussian>& gaussians, bool cameras, bool lights) {
-  const QString text = tr("Import %1").arg(to_qstring(scene->files.front().filename()));
-  const auto add = [this, scene, gaussians, cameras, lights](const QString& name,
-                                                             const ImportPlacement& placement) {
+void SceneImport::add_scene(const ReadScene& found, bool cameras, bool lights) {
+  const QString text = tr("Import %1").arg(to_qstring(found.scene->files.front().filename()));
+  const auto add = [this, found, cameras, lights](const QString& name,
+                                                  const ImportPlacement& placement) {
+    const auto& [scene, gaussians, spot] = found;
     const Scene& before = document_.scene();
     const bool is_new = before.lights == new_scene().lights && !before.environment;
     const bool has_cameras = cameras && !scene->cameras.empty();
@@ -245,28 +246,33 @@ void SceneImport::add_scene(const std::shared_ptr<const ImportedScene>& scene,
     if (!gaussians.empty()) add_gaussians(document_, gaussians, tr("Import"));
     if (has_cameras) add_cameras(document_, *scene, name);
     if (uses_camera) Q_EMIT camera_used();
-    if (!scene->parts.empty()) add_surfaces({placed(surface_of(scene), placement)}, name);
+    if (!scene->parts.empty()) {
+      add_surfaces({placed(surface_of(scene), placement)}, name, spot.has_value());
+    }
     if (lights && !scene->lights.empty()) add_lights(document_, *scene, is_new, name);
     document_.undo_stack().endMacro();
   };
   // All else of the file stays where the file has it.
-  const bool is_mesh = gaussians.empty() && !scene->parts.empty() &&
-                       !(cameras && !scene->cameras.empty()) && !(lights && !scene->lights.empty());
-  is_mesh ? add_placed(text, world_box(surface_of(scene)), add) : add(text, {});
+  const ImportedScene& scene = *found.scene;
+  const bool is_mesh = found.gaussians.empty() && !scene.parts.empty() &&
+                       !(cameras && !scene.cameras.empty()) && !(lights && !scene.lights.empty());
+  is_mesh ? add_placed(text, world_box(surface_of(found.scene)), found.spot, add) : add(text, {});
 }
 
-void SceneImport::add_placed(const std::vector<Gaussian>& gaussians) {
+void SceneImport::add_placed(const std::vector<Gaussian>& gaussians,
+                             const std::optional<ImportSpot>& spot) {
   Scene all;
   for (const Gaussian& gaussian : gaussians) all.medium.append(gaussian);
-  add_placed(tr("Import"), box_of_asset(all),
+  add_placed(tr("Import"), box_of_asset(all), spot,
              [this, gaussians](const QString& name, const ImportPlacement& placement) {
                add_gaussians(document_, placed(gaussians, placement), name);
              });
 }
 
-void SceneImport::add_placed(const QString& text, const MeshBox& box, const AddPlaced& add) {
+void SceneImport::add_placed(const QString& text, const MeshBox& box,
+                             const std::optional<ImportSpot>& spot, const AddPlaced& add) {
   ImportPlacement start;
-  if (spot_) start.position = spot_->shift_of(box);
+  if (spot) start.position = spot->shift_of(box);
   document_.last_operation().perform({text, start, [text, add](const std::any& placement) {
                                         add(text, std::any_cast<ImportPlacement>(placement));
                                       }});
@@ -287,7 +293,6 @@ BackgroundJob::Apply SceneImport::read(const FrameRun& run) {
 }
 
 void SceneImport::import_files(const std::vector<fs::path>& files) {
-  spot_.reset();
   std::vector<fs::path> possible;
   QStringList others;
   for (const fs::path& file : files) {
@@ -410,7 +415,8 @@ void SceneImport::import_volume(const fs::path& file, const VolumeFit& how) {
   follow_preview(document_, preview, fit, [this] { job_.cancel(); });
 }
 
-void SceneImport::add_surfaces(const std::vector<Surface>& added, const QString& text) {
+void SceneImport::add_surfaces(const std::vector<Surface>& added, const QString& text,
+                               bool is_at_spot) {
   document_.undo_stack().beginMacro(text);
   Surfaces surfaces = document_.scene().surfaces;
   const std::size_t first = surfaces.size();
@@ -418,7 +424,7 @@ void SceneImport::add_surfaces(const std::vector<Surface>& added, const QString&
   set_scene_part(document_, std::move(surfaces), text);
   if (document_.scene().surfaces.size() > first) {
     document_.set_object(ObjectRef{ObjectRef::Kind::surface, first});
-    Q_EMIT surfaces_added(first);
+    Q_EMIT surfaces_added(first, is_at_spot);
   }
   document_.undo_stack().endMacro();
 }

@@ -40,7 +40,6 @@ class SceneImport : public QObject {
   void import_file(const std::filesystem::path& file, const std::optional<ImportSpot>& spot = {});
   // The same of a file of the asset library, where scenes are what they add to this one.
   void import_asset(const std::filesystem::path& file, const std::optional<ImportSpot>& spot);
-  [[nodiscard]] bool has_spot() const { return spot_.has_value(); }  // what was imported last
   // Imports dropped files: frames of one sequence as such, others individually as one undo step.
   // Reports unsupported ones.
   void import_files(const std::vector<std::filesystem::path>& files);
@@ -56,14 +55,15 @@ class SceneImport : public QObject {
                      const std::filesystem::path& folder);
 
   // Adds surfaces as one undo step; the first of them is selected.
-  void add_surfaces(const std::vector<Surface>& added, const QString& text);
+  void add_surfaces(const std::vector<Surface>& added, const QString& text,
+                    bool is_at_spot = false);
 
  Q_SIGNALS:
   void failed(const QString& message);
   void warned(const QString& message);
-  // Within the undo step of the import: surfaces from that one on, and that the scene's camera is
-  // one of the file.
-  void surfaces_added(std::size_t first);
+  // Within the undo step of the import: surfaces from that one on, whether they were put where the
+  // user chose, and that the scene's camera is one of the file.
+  void surfaces_added(std::size_t first, bool is_at_spot);
   void camera_used();
 
  private:
@@ -72,6 +72,7 @@ class SceneImport : public QObject {
   struct File {
     std::filesystem::path path;
     ImportKind kind;
+    std::optional<ImportSpot> spot{};
   };
   // Whether there are splats of which to ask what they become; throws if they cannot be read.
   static bool needs_answer(const File& file);
@@ -87,15 +88,20 @@ class SceneImport : public QObject {
                             const Job& job);
   BackgroundJob::Apply read(const FrameRun& run);
   // A glTF may have splats, too.
-  BackgroundJob::Apply add_splats(const std::filesystem::path& file, const SplatOptions& options);
+  BackgroundJob::Apply add_splats(const File& file, const SplatOptions& options);
   BackgroundJob::Apply read_scene(const File& file, const SplatOptions& options,
                                   const std::stop_token& stop, bool asks);
-  void add_scene(const std::shared_ptr<const ImportedScene>& scene,
-                 const std::vector<Gaussian>& gaussians, bool cameras, bool lights);
+  struct ReadScene {
+    std::shared_ptr<const ImportedScene> scene;
+    std::vector<Gaussian> gaussians;
+    std::optional<ImportSpot> spot;
+  };
+  void add_scene(const ReadScene& found, bool cameras, bool lights);
   // Adds something that can be placed otherwise as the last operation.
   using AddPlaced = std::function<void(const QString& text, const ImportPlacement& placement)>;
-  void add_placed(const QString& text, const MeshBox& box, const AddPlaced& add);
-  void add_placed(const std::vector<Gaussian>& gaussians);
+  void add_placed(const QString& text, const MeshBox& box, const std::optional<ImportSpot>& spot,
+                  const AddPlaced& add);
+  void add_placed(const std::vector<Gaussian>& gaussians, const std::optional<ImportSpot>& spot);
   void import_each(const std::vector<std::filesystem::path>& files,
                    const std::optional<FrameRun>& run);
   void add_sequence(MediumSequence sequence);
@@ -108,7 +114,6 @@ class SceneImport : public QObject {
   Document& document_;
   BackgroundJob& job_;
   QWidget* window_;
-  std::optional<ImportSpot> spot_;  // of what is being imported
 };
 
 }  // namespace brume

@@ -124,13 +124,13 @@ FileJobs::FileJobs(const Workspace& work, QWidget* window)
           [this] { work_.views.perspective().camera_controller().look_through_scene_camera(); });
   auto* size = new ImportSize(work_, this);
   connect(import_, &SceneImport::surfaces_added, this,
-          [this, size, framed = Camera{}](std::size_t first) mutable {
+          [this, size, framed = Camera{}](std::size_t first, bool is_at_spot) mutable {
             const bool is_framed =
                 light_new_scene(work_.document, work_.views.perspective(), framed);
             const bool is_new = !work_.document.scene().surfaces[first].primitive &&
                                 !work_.document.last_operation().is_adjusting();
-            // Where it was dropped, the view stays.
-            if (is_new) size->show(first, is_framed || import_->has_spot());
+            // The view stays if the user chose the place.
+            if (is_new) size->show(first, is_framed || is_at_spot);
           });
 }
 
@@ -204,7 +204,7 @@ void FileJobs::simplify() {
   dialog->show();
 }
 
-// Lights hang a little before what is under the mouse; all else stands on it.
+// Lights hang a little before what is under the mouse; everything else stands on it.
 void FileJobs::add_asset(const std::filesystem::path& file, View& view, QPointF position) {
   try {
     const std::optional<AssetKind> kind = asset_kind(file);
