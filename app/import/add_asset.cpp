@@ -100,17 +100,19 @@ void add_camera_of(Document& document, const Scene& asset, const QString& name,
   set_scene_part(document, std::move(list), text);
 }
 
-// Why it cannot be added; empty: it can.
+// Says why it cannot be added; empty: it can.
 QString problem_of(const Document& document, const Scene& asset) {
   const Scene& scene = document.scene();
-  const auto count_problem = [](const QString& problem, std::size_t count, std::size_t most) {
-    return count > most ? problem.arg(most) : QString();
+  const auto count_problem = [](const QString& problem, std::size_t count, std::size_t max_count) {
+    return count > max_count ? problem.arg(max_count) : QString();
   };
   const QString problems =
       count_problem(Document::tr("The scene would have more than %1 lights."),
                     scene.lights.size() + asset.lights.size(), limits::lights) +
       count_problem(Document::tr("The scene would have more than %1 surfaces."),
-                    scene.surfaces.size() + asset.surfaces.size(), limits::surfaces);
+                    scene.surfaces.size() + asset.surfaces.size(), limits::surfaces) +
+      count_problem(Document::tr("The scene would have more than %1 groups."),
+                    scene.groups.size() + (asset.medium.size() > 0 ? 1 : 0), limits::groups);
   if (!problems.isEmpty() || !is_camera_alone(asset)) return problems;
   return count_problem(Document::tr("The scene would have more than %1 cameras."),
                        scene.cameras.size() + 1, limits::cameras);
