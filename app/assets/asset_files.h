@@ -7,7 +7,7 @@
 
 namespace brume {
 
-// How assets are dragged: their file, UTF-8.
+// A drag of an asset carries its file under this type, UTF-8.
 inline constexpr const char* asset_mime = "application/x-brume-asset";
 
 struct Asset {

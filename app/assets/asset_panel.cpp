@@ -17,6 +17,7 @@
 #include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/document/private_files.h"
+#include "app/files/file_dialogs.h"
 #include "app/tools/tool_box.h"
 #include "app/widgets/icons.h"
 #include "app/widgets/keys.h"
@@ -79,13 +80,18 @@ AssetPanel::AssetPanel(Document& document, const ToolBox& tools, QWidget* parent
     if (item) item->setIcon(QPixmap::fromImage(picture));
   });
   on_change(document_, Change::scene | Change::file, this, &AssetPanel::find);
-  find();
 }
 
 // Folders that are new have not been watched.
 void AssetPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   find();
+}
+
+void AssetPanel::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  finding_.cancel();
+  pictures_.cancel();
 }
 
 QWidget* AssetPanel::new_head() {
@@ -173,42 +179,51 @@ void AssetPanel::fill_save_menu(QMenu& menu) {
   menu.clear();
   for (const KindText& text : kind_texts) {
     if (!text.save) continue;
-    const auto chosen = chosen_asset(document_, tools_, text.kind);
+    const auto chosen = chosen_name(document_, tools_, text.kind);
     if (!chosen) continue;
-    menu.addAction(tr(text.save).arg(QString(chosen->name).replace('&', "&&")), this,
+    menu.addAction(tr(text.save).arg(QString(*chosen).replace('&', "&&")), this,
                    [this, kind = text.kind] { save_chosen(kind); });
   }
 }
 
-AssetKind AssetPanel::chosen_kind() const {
-  for (const AssetKind kind :
-       {AssetKind::light, AssetKind::surface, AssetKind::fog, AssetKind::brush}) {
-    if (chosen_asset(document_, tools_, kind)) return kind;
+std::optional<AssetKind> AssetPanel::chosen_kind() const {
+  if (const auto& object = document_.object()) {
+    if (object->kind == ObjectRef::Kind::light) return AssetKind::light;
+    if (object->kind == ObjectRef::Kind::surface) return AssetKind::surface;
+    return std::nullopt;
+  }
+  for (const AssetKind kind : {AssetKind::fog, AssetKind::brush}) {
+    if (chosen_name(document_, tools_, kind)) return kind;
   }
   return AssetKind::camera;
 }
 
+void AssetPanel::save_chosen() {
+  if (const auto kind = chosen_kind()) return save_chosen(*kind);
+  Q_EMIT told(tr("An emitter cannot be saved as an asset"));
+}
+
 void AssetPanel::save_chosen(AssetKind kind) {
-  const auto chosen = chosen_asset(document_, tools_, kind);
+  const auto chosen = chosen_name(document_, tools_, kind);
   if (!chosen) return;
   const QString extension = QString::fromStdString(asset_extension(kind));
-  const std::filesystem::path folder = make_private_folder(user_asset_folder());
-  QString name = chosen->name;
-  name.replace('/', '-');
-  QFileDialog dialog(this, tr("Save as Asset"), to_qstring(folder),
-                     tr("Assets (*%1)").arg(extension));
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setDefaultSuffix(extension.mid(1));
-  dialog.selectFile(name + extension);
-  if (dialog.exec() != QDialog::Accepted) return;
-  save_chosen(kind, to_path(dialog.selectedFiles().value(0)));
+  const QString folder =
+      last_folder(FileKind::asset, to_qstring(make_private_folder(user_asset_folder())));
+  const QString start = folder + '/' + QString(*chosen).replace('/', '-') + extension;
+  const QString wanted = QFileDialog::getSaveFileName(this, tr("Save as Asset"), start,
+                                                      tr("Assets (*%1)").arg(extension));
+  if (wanted.isEmpty()) return;
+  const std::filesystem::path file = asset_file(to_path(wanted), kind);
+  // The dialog has asked about the name that it was given.
+  if (file != to_path(wanted) && !may_replace(this, file, std::nullopt)) return;
+  remember_folder(FileKind::asset, file);
+  save_chosen(kind, file);
 }
 
 void AssetPanel::save_chosen(AssetKind kind, const std::filesystem::path& file) {
-  const auto chosen = chosen_asset(document_, tools_, kind);
-  if (!chosen) return;
+  if (!chosen_name(document_, tools_, kind)) return;
   try {
-    save_asset(*chosen, tools_, kind, file);
+    save_asset(document_, tools_, kind, file);
     Q_EMIT told(tr("Saved as the asset %1").arg(asset_name(file)));
   } catch (const InputError& error) {
     Q_EMIT refused(QString::fromUtf8(error.what()));
@@ -217,6 +232,7 @@ void AssetPanel::save_chosen(AssetKind kind, const std::filesystem::path& file) 
 }
 
 void AssetPanel::find() {
+  if (!isVisible()) return;
   std::vector<std::filesystem::path> folders;
   if (!document_.file().empty()) folders.push_back(scene_asset_folder(document_.file()));
   folders.push_back(user_asset_folder());

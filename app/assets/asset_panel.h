@@ -2,6 +2,7 @@
 
 #include <QFileSystemWatcher>
 #include <QWidget>
+#include <optional>
 #include <vector>
 
 #include "app/assets/asset_pictures.h"
@@ -25,11 +26,13 @@ class AssetPanel : public QWidget {
  public:
   AssetPanel(Document& document, const ToolBox& tools, QWidget* parent);
 
-  // Asks for a file.
+  // Ask for a file. The first saves what chosen_kind() says.
+  void save_chosen();
   void save_chosen(AssetKind kind);
   void save_chosen(AssetKind kind, const std::filesystem::path& file);
-  // The kind that "Save as Asset" means: what is selected, else the brush, else the camera.
-  [[nodiscard]] AssetKind chosen_kind() const;
+  // The kind that "Save as Asset" means: that of the chosen object, else of the selected Gaussians,
+  // else of the brush, else of the camera. Nullopt: the object is of a kind that is not saved.
+  [[nodiscard]] std::optional<AssetKind> chosen_kind() const;
 
  Q_SIGNALS:
   void add_asked(const std::filesystem::path& file);
@@ -38,13 +41,14 @@ class AssetPanel : public QWidget {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
  private:
   QWidget* new_head();
   QListWidget* new_list();
   void fill_save_menu(QMenu& menu);
   void show_menu(const QPoint& position);
-  void find();  // in the background
+  void find();  // in the background; only what is seen is worth it
   void show_assets(const std::vector<Asset>& assets);
   void filter();
   [[nodiscard]] const Asset* asset_of(const QListWidgetItem* item) const;

@@ -2,6 +2,7 @@
 
 #include <QImage>
 #include <QObject>
+#include <map>
 
 #include "app/assets/asset_files.h"
 #include "app/jobs/background_job.h"
@@ -15,13 +16,17 @@ class AssetPictures : public QObject {
  public:
   using QObject::QObject;
 
-  // Of all assets that have one, one after the other; what was still to be made is dropped.
+  // Makes those of all assets that have one, one after the other; what was still to be made is
+  // dropped.
   void make(const std::vector<Asset>& assets);
+  void cancel() { job_.cancel(); }
 
  Q_SIGNALS:
   void made(std::size_t asset, const QImage& picture);  // by its place among these
 
  private:
+  // The versions of files that have no picture; only the job's thread uses it.
+  std::map<std::filesystem::path, QString> without_;
   BackgroundJob job_{BackgroundJob::Policy::latest_wins};
 };
 

@@ -19,8 +19,9 @@ QString dialog_text(const char* text, int count = -1) {
 }
 
 QString settings_key(FileKind kind) {
-  constexpr const char* names[]{"scene",    "import", "picture", "medium",  "gather", "environment",
-                                "material", "color",  "profile", "texture", "plate",  "missing"};
+  constexpr const char* names[]{"scene",       "import",   "picture", "medium",  "gather",
+                                "environment", "material", "color",   "profile", "texture",
+                                "plate",       "missing",  "asset"};
   return QString("folders/") + names[static_cast<int>(kind)];
 }
 

@@ -22,7 +22,8 @@ enum class FileKind {
   profile,
   texture,
   plate,
-  missing
+  missing,
+  asset
 };
 
 // The last folder of a kind, or `fallback`.

@@ -42,7 +42,9 @@ void save_recent_picture(const std::filesystem::path& scene, const QImage& pictu
                       (large.height() - picture_size.height()) / 2);
   QByteArray bytes;
   QBuffer buffer(&bytes);
-  large.copy(QRect(corner, picture_size)).save(&buffer, "PNG");
+  QImage cut = large.copy(QRect(corner, picture_size));
+  for (const QString& key : picture.textKeys()) cut.setText(key, picture.text(key));
+  cut.save(&buffer, "PNG");
   try {
     make_private_folder(to_path(file).parent_path());
     write_private(to_path(file), std::string_view(bytes.constData(), bytes.size()));

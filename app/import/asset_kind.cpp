@@ -66,6 +66,12 @@ std::string asset_extension(AssetKind kind) {
   return ".brume";
 }
 
+fs::path asset_file(fs::path file, AssetKind kind) {
+  const SavedKind* present = saved_kind(file);
+  if (!present || present->kind != kind) file += asset_extension(kind);
+  return file;
+}
+
 fs::path user_asset_folder() {
   return to_path(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)) / asset_folder;
 }

@@ -22,6 +22,8 @@ QString asset_name(const std::filesystem::path& file);
 
 // The end of the names of files that the editor saves: ".fog.brume". Not of whole scenes.
 std::string asset_extension(AssetKind kind);
+// A file name with that end, which is appended where it is missing: "mist v1.2.fog.brume".
+std::filesystem::path asset_file(std::filesystem::path file, AssetKind kind);
 
 // Assets of the user, in the application's data; and of a scene, in its folder.
 std::filesystem::path user_asset_folder();

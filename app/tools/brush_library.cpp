@@ -9,6 +9,7 @@
 #include "app/document/paths.h"
 #include "app/document/private_files.h"
 #include "brume/error.h"
+#include "core/io/disk/atomic_file.h"
 #include "core/io/disk/file_bytes.h"
 #include "core/number_domain.h"
 
@@ -43,6 +44,24 @@ constexpr std::array library_keys = std::to_array<LibraryKey>({
 
 const char* tool_key(bool sprays) {
   return sprays ? "airbrush" : "paintbrush";
+}
+
+// `root`: what else the file has.
+std::string library_text(QJsonObject root, const QJsonArray& brushes) {
+  root["format"] = "brume-brushes";
+  root["version"] = 1;
+  root["brushes"] = brushes;
+  return QJsonDocument(root).toJson().toStdString();
+}
+
+// `object`: what else the file has of the brush.
+QJsonObject brush_object(const BrushPreset& preset, QJsonObject object) {
+  object["name"] = preset.name.left(max_name);
+  object["tool"] = tool_key(preset.sprays);
+  for (const LibraryKey& key : library_keys) {
+    object[QLatin1String(key.name)] = preset.*key.member;
+  }
+  return object;
 }
 
 // Reads a library with its JSON kept, to change it.
@@ -113,13 +132,8 @@ struct LibraryFile {
   }
 
   void write(const QJsonArray& brushes) {
-    root["format"] = "brume-brushes";
-    root["version"] = 1;
-    root["brushes"] = brushes;
-    const QByteArray bytes = QJsonDocument(root).toJson();
     make_private_folder(file.parent_path());
-    write_private(file,
-                  std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+    write_private(file, library_text(root, brushes));
   }
 };
 
@@ -146,18 +160,18 @@ void BrushLibrary::add(const BrushPreset& preset) const {
   LibraryFile library = open_library(file_);
   QJsonArray brushes = library.root["brushes"].toArray();
   const qsizetype present = library.find(preset);
-  QJsonObject object = present < 0 ? QJsonObject() : brushes[present].toObject();
-  object["name"] = preset.name.left(max_name);
-  object["tool"] = tool_key(preset.sprays);
-  for (const LibraryKey& key : library_keys) {
-    object[QLatin1String(key.name)] = preset.*key.member;
-  }
+  const QJsonObject object =
+      brush_object(preset, present < 0 ? QJsonObject() : brushes[present].toObject());
   if (present < 0) {
     brushes.append(object);
   } else {
     brushes[present] = object;
   }
   library.write(brushes);
+}
+
+void BrushLibrary::replace(const BrushPreset& preset) const {
+  write_atomically(file_, library_text({}, {brush_object(preset, {})}));
 }
 
 void BrushLibrary::remove(const BrushPreset& preset) const {

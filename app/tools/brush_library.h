@@ -11,7 +11,7 @@ namespace brume {
 //   { "format": "brume-brushes", "version": 1, "brushes": [ { "name": "...", "tool": "paintbrush",
 //     "size": 0.06, "depth": 0.5, ... } ] }
 // with the members of BrushPreset as keys; `tool` is paintbrush or airbrush. Keys that are not
-// known are kept. All functions throw InputError; what cannot be read is never overwritten.
+// known are kept. All functions throw InputError; only replace() overwrites what cannot be read.
 class BrushLibrary {
  public:
   explicit BrushLibrary(std::filesystem::path file) : file_(std::move(file)) {}
@@ -23,6 +23,8 @@ class BrushLibrary {
   // Replaces one of the same name and tool.
   void add(const BrushPreset& preset) const;
   void remove(const BrushPreset& preset) const;
+  // Makes the file one of this brush alone, whatever it was, with the permissions of its folder.
+  void replace(const BrushPreset& preset) const;
 
  private:
   std::filesystem::path file_;

@@ -108,6 +108,10 @@
         <translation>%1 lässt sich nicht in den Papierkorb verschieben</translation>
     </message>
     <message>
+        <source>An emitter cannot be saved as an asset</source>
+        <translation>Ein Emitter kann nicht als Asset gespeichert werden</translation>
+    </message>
+    <message>
         <source>Save as Asset</source>
         <translation>Als Asset speichern</translation>
     </message>
@@ -1091,6 +1095,10 @@
     <message>
         <source>The scene would have more than %1 surfaces.</source>
         <translation>Die Szene hätte mehr als %1 Oberflächen.</translation>
+    </message>
+    <message>
+        <source>The scene would have more than %1 groups.</source>
+        <translation>Die Szene hätte mehr als %1 Gruppen.</translation>
     </message>
     <message>
         <source>The scene would have more than %1 cameras.</source>

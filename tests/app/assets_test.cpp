@@ -4,11 +4,14 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
+#include <QSignalSpy>
+#include <QStatusBar>
 #include <QToolButton>
 #include <fstream>
 #include <glm/geometric.hpp>
 
 #include "app/assets/asset_panel.h"
+#include "app/assets/save_asset.h"
 #include "app/commands/edit_cameras.h"
 #include "app/commands/edit_groups.h"
 #include "app/commands/select_command.h"
@@ -16,8 +19,11 @@
 #include "app/tools/tool_box.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/viewport.h"
+#include "brume/files.h"
+#include "brume/limits.h"
 #include "brume/mesh_arrays.h"
 #include "core/scene/cameras.h"
+#include "tests/app/dock_of.h"
 #include "tests/app/file_jobs.h"
 
 using namespace brume;
@@ -45,8 +51,11 @@ Scene room() {
   return scene;
 }
 
+// The panel, which is shown for that: else it lists nothing.
 AssetPanel& panel(TestWindow& window) {
-  return *window->findChild<AssetPanel*>();
+  auto& found = *window->findChild<AssetPanel*>();
+  if (!found.isVisible()) show_dock_of(found);
+  return found;
 }
 QListWidget& list(TestWindow& window) {
   return *panel(window).findChild<QListWidget*>("assets");
@@ -160,13 +169,13 @@ class AssetsTest : public QObject {
     TestWindow window(room());
     Document& document = window.document();
     document.set_object(ObjectRef{ObjectRef::Kind::light, 0});
-    QCOMPARE(panel(window).chosen_kind(), AssetKind::light);
+    QVERIFY(panel(window).chosen_kind() == AssetKind::light);
     panel(window).save_chosen(AssetKind::light, asset_file(window, "key.light.brume"));
     panel(window).save_chosen(AssetKind::camera, asset_file(window, "wide.camera.brume"));
     document.set_object(std::nullopt);
-    QCOMPARE(panel(window).chosen_kind(), AssetKind::camera);
+    QVERIFY(panel(window).chosen_kind() == AssetKind::camera);
     window->tools().activate("paintbrush");
-    QCOMPARE(panel(window).chosen_kind(), AssetKind::brush);
+    QVERIFY(panel(window).chosen_kind() == AssetKind::brush);
     auto& brush = dynamic_cast<PaintbrushTool&>(window->tools().tool());
     BrushPreset preset = brush.preset();
     preset.spacing = 0.25;
@@ -243,6 +252,88 @@ class AssetsTest : public QObject {
     window->tools().activate("airbrush");
     QVERIFY(entries().contains("Selected Fog “steam”…"));
     QVERIFY(entries().contains("Brush “Airbrush”…"));
+  }
+
+  void a_second_asset_that_is_refused_does_not_move_the_first() {
+    TestWindow window(room());
+    save_selected_fog(window, "puff.fog.brume");
+    QVERIFY(picks(window));
+    const glm::dvec3 place(1.0, -1.0, 1.0);
+    View& view = window.view();
+    const std::filesystem::path file = asset_file(window, "puff.fog.brume");
+    window->file_jobs().add_asset(file, view, film_position(window.view(), place));
+    window->file_jobs().add_asset(file, view, film_position(window.view(), {-2.0, -1.0, 0.0}));
+    QCOMPARE(wait(window), "");
+    const auto added = gaussians_after(window.document(), 2);
+    QCOMPARE(added.size(), 2u);
+    QVERIFY(std::abs(added[0].center.x + 0.2 - place.x) < 0.1);
+  }
+
+  void fog_is_not_added_where_its_group_has_no_room() {
+    Scene scene = room();
+    for (std::size_t k = 1; k <= limits::groups; ++k) {
+      scene.groups.push_back({.id = static_cast<GroupId>(k), .name = std::to_string(k)});
+    }
+    TestWindow window(scene);
+    save_selected_fog(window, "puff.fog.brume");
+    QTRY_VERIFY(shown_asset(window, "puff"));
+    const Scene before = window.scene();
+    QSignalSpy refused(&window.document(), &Document::refused);
+    Q_EMIT list(window).itemActivated(shown_asset(window, "puff"));
+    QCOMPARE(wait(window), "");
+    QCOMPARE(refused.size(), 1);
+    QVERIFY(window.scene() == before);
+  }
+
+  void fog_of_a_group_in_another_is_saved_as_both_make_it() {
+    Scene scene = room();
+    scene.groups = {{.id = 1, .name = "inner", .parent = 2, .density_factor = 2.0},
+                    {.id = 2, .name = "outer", .density_factor = 3.0, .density_offset = 0.5}};
+    scene.medium = Medium();
+    scene.medium.append({.center = {0.1, 0.2, 0.0}, .radius = 0.2, .density = 1.0, .group = 1});
+    TestWindow window(scene);
+    save_selected_fog(window, "puff.fog.brume");
+    const Scene saved = load_scene(asset_file(window, "puff.fog.brume"));
+    QCOMPARE(saved.groups.size(), 1u);
+    QCOMPARE(saved.groups[0].parent, GroupId{0});
+    QCOMPARE(saved.groups[0].density_factor, 6.0);
+    QCOMPARE(saved.groups[0].density_offset, 0.5);
+  }
+
+  void a_brush_replaces_any_file_and_leaves_permissions() {
+    TestWindow window(room());
+    std::filesystem::create_directories(window.file("assets"));
+    const std::filesystem::path file = asset_file(window, "fine.brush.json");
+    std::ofstream(file) << "no brush";
+    const auto permissions = [](const std::filesystem::path& path) {
+      return std::filesystem::status(path).permissions();
+    };
+    const auto of_folder = permissions(window.file("assets"));
+    const auto of_file = permissions(file);
+    window->tools().activate("airbrush");
+    panel(window).save_chosen(AssetKind::brush, file);
+    QVERIFY(permissions(window.file("assets")) == of_folder);
+    QVERIFY(permissions(file) == of_file);
+    window->tools().activate("select");
+    use_brush(window->tools(), file);
+    QCOMPARE(window->tools().entries()[window->tools().active()].name, "airbrush");
+  }
+
+  void an_emitter_is_not_saved_as_something_else() {
+    Scene scene = room();
+    scene.emitters.emplace_back();
+    TestWindow window(scene);
+    select_all(window);
+    window.document().set_object(ObjectRef{ObjectRef::Kind::emitter, 0});
+    QVERIFY(!panel(window).chosen_kind());
+    invoke(window, "asset.save");
+    QVERIFY(window->statusBar()->currentMessage().contains("emitter"));
+  }
+
+  void names_get_the_end_of_their_kind() {
+    QVERIFY(asset_file("mist v1.2", AssetKind::fog) == "mist v1.2.fog.brume");
+    QVERIFY(asset_file("mist.fog.brume", AssetKind::fog) == "mist.fog.brume");
+    QVERIFY(asset_file("mist.fog.brume", AssetKind::light) == "mist.fog.brume.light.brume");
   }
 
   void a_broken_asset_says_so_and_adds_nothing() {

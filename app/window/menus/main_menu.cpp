@@ -117,10 +117,8 @@ void MainMenu::fill_file_menu(QMenu* menu) {
   add(menu, tr("&Export Picture or Animation…"), "file.export",
       [this] { parts_.output.show_output(); });
   add(menu, tr("Export Me&dium…"), "", [this] { parts_.jobs.export_medium(); });
-  add(menu, tr("Save as Asse&t…"), "asset.save", [this] {
-    auto* assets = window_.findChild<AssetPanel*>();
-    assets->save_chosen(assets->chosen_kind());
-  });
+  add(menu, tr("Save as Asse&t…"), "asset.save",
+      [this] { window_.findChild<AssetPanel*>()->save_chosen(); });
   add(menu, tr("&Gather into Folder…"), "", [this] { parts_.jobs.gather(); });
   menu->addSeparator();
   add(menu, tr("&Quit"), "file.quit", [this] { window_.close(); });

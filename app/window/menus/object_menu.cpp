@@ -137,14 +137,16 @@ void ObjectMenu::show_view_menu(Viewport& view, QPointF position) {
   view.set_asked(*menu, position);
   const auto add = [this, menu](std::initializer_list<const char*> names) {
     for (const char* name : names) {
-      if (auto* action = window_.findChild<QAction*>(name)) menu->addAction(action);
+      auto* action = name ? window_.findChild<QAction*>(name) : nullptr;
+      if (action) menu->addAction(action);
     }
     menu->addSeparator();
   };
   if (const auto& object = work_.document.object()) {
     menu->addSection(object_title(work_.document.scene(), *object));
     add({"tool.move", "tool.rotate", "tool.scale"});
-    add({"edit.rename", "edit.duplicate", "edit.drop", "select.hide", "select.lock", "asset.save",
+    const char* save = object->kind == ObjectRef::Kind::emitter ? nullptr : "asset.save";
+    add({"edit.rename", "edit.duplicate", "edit.drop", "select.hide", "select.lock", save,
          "edit.delete"});
   } else if (!work_.document.selection().empty()) {
     menu->addSection(
