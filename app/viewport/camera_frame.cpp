@@ -66,23 +66,29 @@ void CameraFrame::update_plate_behind() {
               (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo({1, 1}), plate_opacity_};
   }
   if (behind == behind_) return;
+  const bool is_other = !behind.has_picture_of(behind_);
   behind_ = behind;
   if (behind.opacity == 0.0) {
+    pane_plate_ = {};
     Q_EMIT plate_behind_changed(nullptr);
     return;
   }
-  QImage pane(behind.pane, QImage::Format_RGBA8888);
-  pane.fill(Qt::transparent);
-  QPainter painter(&pane);
-  const double scale = devicePixelRatioF();
-  const QSize pixels = (behind.place.size() * scale).toSize().expandedTo({1, 1});
-  painter.drawImage((behind.place.topLeft() * scale).toPoint(),
-                    plate_.scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
-  painter.end();
+  const QImage& pane = pane_plate_;
+  if (is_other) draw_pane_plate();
   auto plate =
       std::make_shared<PlateBehind>(PlateBehind{pane.width(), pane.height(), {}, behind.opacity});
   plate->rgba.assign(pane.constBits(), pane.constBits() + pane.sizeInBytes());
   Q_EMIT plate_behind_changed(std::move(plate));
+}
+
+void CameraFrame::draw_pane_plate() {
+  pane_plate_ = QImage(behind_.pane, QImage::Format_RGBA8888);
+  pane_plate_.fill(Qt::transparent);
+  QPainter painter(&pane_plate_);
+  const double scale = devicePixelRatioF();
+  const QSize pixels = (behind_.place.size() * scale).toSize().expandedTo({1, 1});
+  painter.drawImage((behind_.place.topLeft() * scale).toPoint(),
+                    plate_.scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
 }
 
 void CameraFrame::set_region(const std::optional<QRectF>& region) {

@@ -63,6 +63,7 @@ class CameraFrame : public QWidget {
   void end_marking();
   void paint_plate(QPainter& painter);
   void update_plate_behind();
+  void draw_pane_plate();
   [[nodiscard]] QRectF plate_place() const;  // in the pane
   [[nodiscard]] bool shows_plate() const;
   void paint_guides(QPainter& painter) const;
@@ -76,15 +77,19 @@ class CameraFrame : public QWidget {
   QPixmap scaled_plate_;  // as it was painted last
   double plate_opacity_ = 0.0;
   bool is_plate_behind_ = false;
-  // What the plate behind the fog was made of last; no opacity: none.
+  // The plate behind the fog was made of this last; no opacity: there is none.
   struct Behind {
     qint64 plate = 0;
     QRectF place;
     QSize pane;  // in pixels
     double opacity = 0.0;
     bool operator==(const Behind&) const = default;
+    [[nodiscard]] bool has_picture_of(const Behind& other) const {
+      return plate == other.plate && place == other.place && pane == other.pane;
+    }
   };
   Behind behind_;
+  QImage pane_plate_;  // its picture, the size of the pane
   std::optional<QRectF> region_;
   bool marks_ = false;
   std::optional<QPointF> start_;  // of the drag
