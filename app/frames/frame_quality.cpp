@@ -118,7 +118,7 @@ void FrameQuality::set_measured(const std::shared_ptr<const RenderedFrame>& fram
   frame_.reset();
   error_ = error;
   Settings used = frame->request.settings;
-  // Of no meaning for the error, which is that of centers.
+  // They mean nothing to the error, which is that of centers.
   used.samples = settings().samples;
   used.background_apart = settings().background_apart;
   if (is_auto()) {

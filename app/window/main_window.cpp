@@ -1,5 +1,4 @@
 #include "app/window/main_window.h"
-#include "app/assets/asset_files.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -15,6 +14,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "app/assets/asset_files.h"
 #include "app/document/paths.h"
 #include "app/document/timeline.h"
 #include "app/export/queue_list.h"

@@ -28,7 +28,7 @@ class CameraPanel : public SceneForm {
 
  Q_SIGNALS:
   void look_through_asked_for();
-  // Of the camera in use.
+  // The plate is that of the camera in use.
   void plate_changed(const QImage& picture, double opacity, bool is_behind);
 
  private:
