@@ -1,8 +1,9 @@
 #include "render/paths/path_film.h"
-#include "render/visibility/holdout.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "render/visibility/holdout.h"
 
 namespace brume {
 namespace {

@@ -5960,8 +5960,8 @@ Wahl von Auto</translation>
         <translation>Holdout</translation>
     </message>
     <message>
-        <source>`true`: the camera sees none of it, but the plate in its place, through the fog in front of it; it ends the fog, casts shadows and reflects light as ever</source>
-        <translation>`true`: Die Kamera sieht nichts von ihr, an ihrer Stelle aber das Hintergrundfoto, durch den Nebel davor; sie begrenzt den Nebel, wirft Schatten und reflektiert Licht wie sonst</translation>
+        <source>`true`: the camera sees none of it, but what the picture is laid over, through the fog in front of it; it ends the fog, casts shadows and reflects light as ever</source>
+        <translation>`true`: Die Kamera sieht nichts von ihr, an ihrer Stelle aber das, worüber das Bild gelegt wird, durch den Nebel davor; sie begrenzt den Nebel, wirft Schatten und reflektiert Licht wie sonst</translation>
     </message>
     <message>
         <source>By how much the homogeneous density rises</source>

@@ -21,14 +21,14 @@ inline constexpr auto fields<Surface> = std::tuple{
            .says = "`true`: the editor's view neither selects nor moves it",
            .step = 1.0,
            .is_always_saved = false}),
-    field(
-        &Surface::holdout, domain::boolean,
-        {.name = "holdout",
-         .label = "Holdout",
-         .unit = "",
-         .says = "`true`: the camera sees none of it, but the plate in its place, through the fog "
-                 "in front of it; it ends the fog, casts shadows and reflects light as ever",
-         .step = 1.0,
-         .is_always_saved = false})};
+    field(&Surface::holdout, domain::boolean,
+          {.name = "holdout",
+           .label = "Holdout",
+           .unit = "",
+           .says =
+               "`true`: the camera sees none of it, but what the picture is laid over, through "
+               "the fog in front of it; it ends the fog, casts shadows and reflects light as ever",
+           .step = 1.0,
+           .is_always_saved = false})};
 
 }  // namespace brume
