@@ -61,7 +61,7 @@ QListWidget& list(TestWindow& window) {
   return *panel(window).findChild<QListWidget*>("assets");
 }
 
-// By name; null: it is not shown.
+// An asset is found by name; null: it is not shown.
 QListWidgetItem* shown_asset(TestWindow& window, const QString& name) {
   for (QListWidgetItem* item : list(window).findItems(name, Qt::MatchExactly)) {
     if (!item->isHidden()) return item;
