@@ -67,13 +67,13 @@ void add_source_function(const SlicedSource& from, const TileRays& rays, SliceSc
   const auto weights_of = [&](std::size_t i) -> const SourceWeights& {
     if (!needs_weights) return own_weights;
     if (out.slices == 0) {
-      if (i == 0 || function.is_anisotropic()) own_weights = function.weights(rays.directions[i]);
+      if (i == 0 || function.is_anisotropic()) own_weights = function.weights(rays.directions[i], from.lobe);
       return own_weights;
     }
     if (s.weights.empty()) {
       const std::size_t count = function.is_anisotropic() ? out.rays : 1;
       for (std::size_t k = 0; k < count; ++k) {
-        s.weights.push_back(function.weights(rays.directions[k]));
+        s.weights.push_back(function.weights(rays.directions[k], from.lobe));
       }
     }
     return s.weights[function.is_anisotropic() ? i : 0];

@@ -95,8 +95,8 @@ void SlicedStage::upload_source(const SourceFunction* source, const glm::dvec3& 
   program.set("source_map_size", glm::ivec2(0));
   program.set("source_lobe_on_rays", 0);
   if (!source) return;
-  const SourceFunction::WeightParts parts = source->weight_parts();
   const EyeLobe& eye_lobe = source->eye_lobe();
+  const SourceFunction::WeightParts parts = source->weight_parts(&eye_lobe);
   const bool is_new =
       source_revision_ != source->grid().revision() || eye_lobe_revision_ != eye_lobe.revision();
   // The layout is that of shaders/source.glsl; places are known without the values.

@@ -141,8 +141,6 @@ void append(const MapLight& light, std::vector<DistantLight>& lights) {
   if (const auto one = distant(light)) lights.push_back(*one);
 }
 
-constexpr int fine_rows = 64;
-
 // Splits the box of maximum variance until there are enough.
 std::vector<RasterBox> split(const MapRaster& raster, const LightGrouping& grouping) {
   const int side = raster.rows() / grouping.min_rows;
@@ -180,7 +178,7 @@ std::vector<RasterBox> split(const MapRaster& raster, const LightGrouping& group
 }  // namespace
 
 std::vector<DistantLight> distant_lights(const RadianceMap& map, std::size_t count) {
-  const MapRaster raster(map, fine_rows);
+  const MapRaster raster(map, distant_light_rows);
   std::vector<DistantLight> lights;
   for (const RasterBox& box : split(raster, {.groups = count})) append(box.light, lights);
   return lights;
@@ -188,7 +186,7 @@ std::vector<DistantLight> distant_lights(const RadianceMap& map, std::size_t cou
 
 std::vector<LightGroup> distant_light_groups(const RadianceMap& map,
                                              const LightGrouping& grouping) {
-  const MapRaster raster(map, fine_rows);
+  const MapRaster raster(map, distant_light_rows);
   std::vector<LightGroup> groups;
   for (const RasterBox& box : split(raster, grouping)) {
     const auto combined = distant(box.light);

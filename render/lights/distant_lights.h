@@ -20,17 +20,20 @@ struct DistantLight {
 // radiance-weighted center. A uniform sky is sampled evenly, a sun exactly at its place.
 std::vector<DistantLight> distant_lights(const RadianceMap& map, std::size_t count);
 
+// Lights are told apart that are 180 degrees / distant_light_rows apart.
+inline constexpr int distant_light_rows = 64;
+
 // A cluster of lights that a smooth function may sample at one direction.
 struct LightGroup {
   DistantLight combined;
-  std::vector<DistantLight> lights;  // resolution 180 degrees / 64
-  int cluster = 0;                   // index of the coarser cluster that contains it
+  std::vector<DistantLight> lights;
+  int cluster = 0;  // index of the coarser cluster that contains it
 };
 
 struct LightGrouping {
   std::size_t groups = 1;
-  // Maximum size of a group is 180 degrees / min_rows, which divides 64; so there may be more
-  // groups.
+  // Maximum size of a group is 180 degrees / min_rows, which divides distant_light_rows; so there
+  // may be more groups.
   int min_rows = 1;
   std::size_t clusters = 1;  // number of coarser clusters, <= groups
 };

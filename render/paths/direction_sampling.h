@@ -18,13 +18,4 @@ inline glm::dvec3 direction_around(const glm::dvec3& axis, double cos_theta, Pat
   return sine * std::cos(phi) * basis.u + sine * std::sin(phi) * basis.v + cos_theta * axis;
 }
 
-// Cosine of a scattering angle drawn from the phase function of Henyey and Greenstein, by inversion
-// (pbrt, "Sampling Phase Functions"); g in [-0.95, 0.95].
-inline double sample_henyey_greenstein(double g, PathRandom& random) {
-  const double u = random.uniform();
-  if (std::abs(g) < 1e-4) return 2.0 * u - 1.0;  // where the inversion loses its digits
-  const double s = (1.0 - g * g) / (1.0 - g + 2.0 * g * u);
-  return std::clamp((1.0 + g * g - s * s) / (2.0 * g), -1.0, 1.0);
-}
-
 }  // namespace brume

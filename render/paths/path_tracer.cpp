@@ -66,7 +66,7 @@ PathTracer::Direction PathTracer::sample_direction(const Vertex& vertex, PathRan
     return {w, direction_pdf(vertex, w)};
   }
   const double g = scene_.anisotropy();
-  const double cosine = sample_henyey_greenstein(g, random);
+  const double cosine = henyey_greenstein_quantile(random.uniform(), g);
   return {direction_around(vertex.w, cosine, random), henyey_greenstein(cosine, g) / (4.0 * pi)};
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/math/basis.h"
+#include "core/math/golden_angle.h"
 #include "core/math/infinity.h"
 #include "render/geometry/rounding.h"
 
@@ -20,8 +21,6 @@ constexpr double ray_gap = 0.43;
 
 // What one task traces.
 constexpr std::size_t rays_together = 16;
-
-constexpr double golden_angle = std::numbers::pi * (3.0 - 2.2360679774997896964);
 
 // 1 - cos of the half angle of a cone that holds all directions in which a light shines.
 double cone_versine(const LightFalloff& falloff) {

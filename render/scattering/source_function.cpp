@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -84,6 +85,21 @@ bool is_narrow(std::span<const LightGroup* const> cluster) {
     }
   }
   return glm::length(moment) > min_resultant * sum;
+}
+
+// Adds the lights of a cluster to a map as coarse as they are.
+void add_radiance(std::span<const LightGroup* const> cluster, RadianceMap& map) {
+  for (const LightGroup* group : cluster) {
+    for (const DistantLight& light : group->lights) {
+      const glm::ivec2 cell = glm::min(glm::ivec2(map_position(map, light.direction)),
+                                       glm::ivec2(map.width, map.height) - 1);
+      const double solid_angle =
+          2.0 * pi / map.width *
+          (std::cos(pi * cell.y / map.height) - std::cos(pi * (cell.y + 1) / map.height));
+      map.pixels[static_cast<std::size_t>(cell.y * map.width + cell.x)] +=
+          light.irradiance / solid_angle;
+    }
+  }
 }
 
 }  // namespace
@@ -196,7 +212,7 @@ bool SourceFunction::add_multiple(const Input& input, const Job& job) {
     return true;
   }
   const Multiple& multiple = *input.multiple;
-  const double scale = weight_parts().scale;
+  const double scale = weight_parts(nullptr).scale;
   if (!multiple_.update(
           {*grid_, environment_ ? scale : 0.0, multiple.lights, multiple.emission->lights(),
            multiple.albedo, anisotropy_, input.medium.homogeneous_density(),
@@ -232,12 +248,12 @@ void SourceFunction::find_eye_lobe(const Input& input, bool is_same_light, const
   const View view{multiple.view->eye(), multiple.view->plane(), multiple.view->whole_size()};
   if (is_same_light && view_ == view) return;
   view_ = view;
-  eye_lobe_ =
-      EyeLobe(*grid_,
-              {*multiple.ray_caster, multiple.surfaces, multiple_.reflected(),
-               multiple_.levels().front().channels, multiple_.color()},
-              {anisotropy_, extinction_, input.medium.homogeneous_density(), input.fog_ball},
-              *multiple.view, job);
+  eye_lobe_ = EyeLobe(
+      *grid_,
+      {*multiple.ray_caster, multiple.surfaces, multiple_.reflected(),
+       multiple_.levels().front().channels, multiple_.color()},
+      lobed_sky(), {anisotropy_, extinction_, input.medium.homogeneous_density(), input.fog_ball},
+      *multiple.view, job);
   if (job.stop.stop_requested()) {
     eye_lobe_ = {};
     view_ = {};
@@ -277,6 +293,8 @@ void SourceFunction::read_map(const std::shared_ptr<const RadianceMap>& map, dou
 }
 
 void SourceFunction::find_forward_lobes(std::span<const LightGroup> groups, const Job& job) {
+  light_.wide = {2 * distant_light_rows, distant_light_rows, {}};
+  light_.wide.pixels.resize(static_cast<std::size_t>(light_.wide.width * light_.wide.height));
   for (std::size_t cluster = 0; cluster < source_clusters; ++cluster) {
     std::vector<const LightGroup*> members;
     for (const LightGroup& group : groups) {
@@ -284,26 +302,40 @@ void SourceFunction::find_forward_lobes(std::span<const LightGroup> groups, cons
     }
     light_.lobes.push_back(scattered_by_forward_lobe(phase_, light_.anisotropy, members, job));
     light_.is_narrow[cluster] = is_narrow(members);
+    if (!light_.is_narrow[cluster]) add_radiance(members, light_.wide);
   }
 }
 
-SourceLookup SourceFunction::from_eye(const glm::dvec3& eye) const {
+LobedSky SourceFunction::lobed_sky() const {
+  if (!environment_) return {};
+  LobedSky sky{light_.wide,
+               {},
+               glm::mat3_cast(glm::conjugate(environment_rotation(*environment_))),
+               weight_parts(nullptr).scale};
+  for (std::size_t f = 0; f < light_.lobes.size(); ++f) {
+    if (!light_.is_narrow[f]) sky.scattered.push_back(light_.lobes[f]);
+  }
+  return sky;
+}
+
+SourceLookup SourceFunction::from_eye(const glm::dvec3& eye, const EyeLobe* lobe) const {
   const bool adds_clusters =
-      has_forward_lobe() && std::ranges::find(at_nodes_, true) != at_nodes_.end();
+      has_forward_lobe() && std::ranges::count(weight_parts(lobe).at_nodes, true) != 0;
   return {*grid_, eye, adds_clusters, NodeVisibility(*grid_, eye)};
 }
 
-SourceFunction::WeightParts SourceFunction::weight_parts() const {
+SourceFunction::WeightParts SourceFunction::weight_parts(const EyeLobe* lobe) const {
   if (!environment_) return {1.0, 1.0, 1.0, phase_.factors(), {}, at_nodes_, 0.0};
   // Sums of what is beyond float would not be numbers.
   const double max_scale = 1e30 / std::max(light_.power, 1e-30);
   const double scale = std::min(attenuation_ * environment_->intensity, max_scale);
+  const bool has_eye_lobe = lobe && !lobe->empty();
   return {scale,
-          std::min(lobe_attenuation_ * environment_->intensity, max_scale),
+          has_eye_lobe ? 0.0 : std::min(lobe_attenuation_ * environment_->intensity, max_scale),
           has_multiple() ? 1.0 : scale,
           phase_.factors(),
           light_.lobes,
-          at_nodes_,
+          has_eye_lobe ? light_.is_narrow : at_nodes_,
           environment_->rotation};
 }
 
@@ -326,8 +358,8 @@ glm::vec3 SourceFunction::lobe_on_ray(const SourceLookup& source, const SourceWe
   return lobe(from_eye(rays.origin(k)), weights, line_depth);
 }
 
-SourceWeights SourceFunction::weights(const glm::dvec3& w) const {
-  const WeightParts parts = weight_parts();
+SourceWeights SourceFunction::weights(const glm::dvec3& w, const EyeLobe* lobe) const {
+  const WeightParts parts = weight_parts(lobe);
   const auto bands = phase_.at(w);
   SourceWeights weights;
   for (std::size_t i = 0; i < sh_size(phase_.count()); ++i) {
@@ -340,7 +372,7 @@ SourceWeights SourceFunction::weights(const glm::dvec3& w) const {
   const glm::vec3 in_map(glm::conjugate(environment_rotation(*environment_)) * w);
   for (std::size_t f = 0; f < light_.lobes.size(); ++f) {
     const glm::vec3 scattered = map_radiance(*light_.lobes[f], in_map);
-    if (at_nodes_[f]) {
+    if (parts.at_nodes[f]) {
       weights.at_nodes[f] = static_cast<float>(parts.scale) * scattered;
     } else {
       weights.on_rays[f] = static_cast<float>(parts.lobe_scale) * scattered;

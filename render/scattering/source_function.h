@@ -31,7 +31,7 @@ namespace brume {
 // The grid stores few bands. The forward lobe of the phase function (see PhaseBands) is convolved
 // with the map without medium, once per cluster of directions. The medium attenuates it
 //   - for a narrow cluster, such as a sun's, and beside surfaces that occlude light by the mean
-//   transmittance towards it, which nodes hold;
+//   transmittance towards it, which nodes hold (unless an EyeLobe knows what the eye sees);
 //   - for the others by the transmittance along the view ray: from behind where g > 0, from the eye
 //   where g < 0.
 // This is exact for thin media, and converges for narrow lobes.
@@ -75,7 +75,7 @@ class SourceFunction {
   // bands scatter on the way to the eye, relative to the medium's: with more than one scattering,
   // what the forward lobe scatters goes on. See TruncatedScattering.
   [[nodiscard]] double light_extinction() const { return extinction_; }
-  // The light of surfaces that this lobe scatters to the eye.
+  // The light of surfaces, and of the sky beside them, that this lobe scatters to the eye.
   [[nodiscard]] const EyeLobe& eye_lobe() const { return eye_lobe_; }
   [[nodiscard]] const PhaseBands& phase() const { return phase_; }
   // Of light that is scattered more than once; empty if there is none.
@@ -93,8 +93,9 @@ class SourceFunction {
   [[nodiscard]] double lobe_fog_extinction() const {
     return keeps_transmitted_ || !fog_ball_.is_endless() ? extinction_ : 0.0;
   }
-  // Look-ups relative to the eye.
-  [[nodiscard]] SourceLookup from_eye(const glm::dvec3& eye) const;
+  // Look-ups relative to the eye. `lobe`, here and below: that of the eye, null for other eyes; it
+  // holds the light of clusters that are not narrow.
+  [[nodiscard]] SourceLookup from_eye(const glm::dvec3& eye, const EyeLobe* lobe = nullptr) const;
   // Forward-lobe scattering of the light along a view ray, per unit of SliceWeights::along_rays.
   // `line_depth`: optical depth of the Gaussians from the eye to infinity.
   [[nodiscard]] glm::vec3 lobe(const SourceLookup& source, const SourceWeights& weights,
@@ -105,7 +106,7 @@ class SourceFunction {
   // Whether weights() depend on the view ray.
   [[nodiscard]] bool is_anisotropic() const { return phase_.count() > 1; }
   // Weights for a view ray along the unit vector w.
-  [[nodiscard]] SourceWeights weights(const glm::dvec3& w) const;
+  [[nodiscard]] SourceWeights weights(const glm::dvec3& w, const EyeLobe* lobe = nullptr) const;
   // The inputs of weights(), for computing many at once on a device.
   struct WeightParts {
     double scale;                     // of the environment's light at nodes
@@ -117,7 +118,7 @@ class SourceFunction {
     std::span<const bool> at_nodes;  // of the clusters: attenuated as nodes hold it
     double rotation;                 // of the maps about +y; see Environment
   };
-  [[nodiscard]] WeightParts weight_parts() const;
+  [[nodiscard]] WeightParts weight_parts(const EyeLobe* lobe) const;
 
  private:
   [[nodiscard]] bool has_same(const std::optional<SourceGrid::Receivers>& receivers) const;
@@ -127,6 +128,7 @@ class SourceFunction {
   // False if stopped.
   bool make_grid(const Input& input, const Job& job);
   bool add_multiple(const Input& input, const Job& job);
+  [[nodiscard]] LobedSky lobed_sky() const;
   void find_eye_lobe(const Input& input, bool is_same_light, const Job& job);
   [[nodiscard]] std::vector<SourceLight> lights_in_world() const;
   // Whether the grid holds light that was scattered more than once, and all in its own scale.
@@ -162,6 +164,7 @@ class SourceFunction {
     // Per cluster, the map convolved with the forward lobe; empty without lobe.
     std::vector<std::shared_ptr<const RadianceMap>> lobes{};
     std::array<bool, source_clusters> is_narrow{};
+    RadianceMap wide{};  // the light of the other clusters
   };
   // In use, and the one before: frames in motion and at rest take turns.
   MapLight light_, last_light_;

@@ -70,7 +70,7 @@ namespace brume {
 HWY_EXPORT(SumRow);
 
 void SourceView::update(const SourceFunction& function, const CameraRays& rays, const Job& job) {
-  const SourceFunction::WeightParts parts = function.weight_parts();
+  const SourceFunction::WeightParts parts = function.weight_parts(nullptr);
   const SourceGrid& grid = function.grid();
   const glm::dvec3& eye = rays.eye();
   const auto direction = rays.is_parallel() ? std::optional(rays.forward()) : std::nullopt;
@@ -106,7 +106,7 @@ void SourceView::update(const SourceFunction& function, const CameraRays& rays, 
 }
 
 SourceLookup SourceView::lookup(const SourceFunction& function) const {
-  SourceLookup lookup = function.from_eye(eye_);
+  SourceLookup lookup = function.from_eye(eye_, &function.eye_lobe());
   if (function.is_anisotropic()) lookup.set_view(levels_, direction_.has_value());
   return lookup;
 }

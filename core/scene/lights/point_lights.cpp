@@ -11,6 +11,7 @@
 
 #include "brume/mesh_arrays.h"
 #include "core/math/basis.h"
+#include "core/math/golden_angle.h"
 #include "core/math/infinity.h"
 #include "core/math/substantial.h"
 #include "core/math/unit_direction.h"
@@ -19,8 +20,6 @@
 
 namespace brume {
 namespace {
-
-constexpr double golden_angle = std::numbers::pi * (3.0 - 2.2360679774997896964);
 
 // Evenly over the unit disc (Vogel's spiral).
 glm::dvec2 disc_point(int k, int count) {

@@ -50,13 +50,16 @@ vec3 eye_lobe(vec3 offset, vec3 w, float t) {
                            vec3(0.0), vec3(eye_lobe_size.xyz - 1));
   const ivec3 first = min(ivec3(place), eye_lobe_size.xyz - 2);
   const vec3 f = place - vec3(first);
+  const int slab = eye_lobe_size.x * eye_lobe_size.y;
   vec3 sum = vec3(0.0);
-  for (int c = 0; c < 8; ++c) {
-    const ivec3 corner = ivec3(c & 1, (c >> 1) & 1, c >> 2);
-    const vec3 share = mix(1.0 - f, f, vec3(corner));
-    const ivec3 node = first + corner;
-    const int index = (node.z * eye_lobe_size.y + node.y) * eye_lobe_size.x + node.x;
-    sum += share.x * share.y * share.z * source_values[eye_lobe_at + index].rgb;
+  for (int c = 0; c < 4; ++c) {
+    const ivec2 corner = ivec2(c & 1, c >> 1);
+    const vec2 share = mix(1.0 - f.xy, f.xy, vec2(corner));
+    const ivec2 column = first.xy + corner;
+    int index = eye_lobe_at + first.z * slab + column.y * eye_lobe_size.x + column.x;
+    if (t > source_values[index].w) index += slab * eye_lobe_size.z;
+    sum += share.x * share.y *
+           mix(source_values[index].rgb, source_values[index + slab].rgb, f.z);
   }
   return sum;
 }

@@ -114,13 +114,37 @@ double start_of(const SourceGrid& grid, const LobedMedium& medium, const CameraR
   return std::max(glm::dot(center - rays.eye(), rays.forward()) - radius, 0.0);
 }
 
+// What the lobe scatters of a sky at the places of the table; at hidden ones that of where their
+// column ends.
+std::vector<glm::vec4> sky_values(const LobeColumns& columns, const SkyLobe& sky, const Job& job) {
+  std::vector<glm::vec4> values(LobeColumns::count() *
+                                static_cast<std::size_t>(LobeColumns::size.z));
+  if (sky.empty()) return values;
+  job.parallel_for(LobeColumns::count(), [&](std::size_t column) {
+    const glm::dvec3& w = columns.direction(column);
+    const glm::dvec3 begin = columns.eye() + columns.offset(column);
+    glm::vec4 value(0.0f);
+    bool is_behind = false;
+    for (int layer = 0; layer < LobeColumns::size.z; ++layer) {
+      const double t = std::min(columns.distance(layer), columns.end(column));
+      if (!is_behind) value = glm::vec4(sky(begin, w, t), 0.0f);
+      is_behind = columns.hides(column, layer);
+      values[static_cast<std::size_t>(layer) * LobeColumns::count() + column] = value;
+    }
+  });
+  return values;
+}
+
 }  // namespace
 
-EyeLobe::EyeLobe(const SourceGrid& grid, const SentLight& sent, const LobedMedium& medium,
-                 const CameraRays& rays, const Job& job)
+EyeLobe::EyeLobe(const SourceGrid& grid, const SentLight& sent, const LobedSky& sky,
+                 const LobedMedium& medium, const CameraRays& rays, const Job& job)
     : revision_(new_revision()) {
-  const LobeColumns columns(rays, sent.ray_caster, sent.surfaces, start_of(grid, medium, rays),
-                            static_cast<double>(grid.levels().front().nodes.spacing));
+  const ViewDepths depths(grid, medium);
+  const double start = start_of(grid, medium, rays);
+  const double end = sky.scattered.empty() ? start : depths.end(rays.eye(), rays.forward());
+  const LobeColumns columns(rays, sent.ray_caster, sent.surfaces, start,
+                            static_cast<double>(grid.levels().front().nodes.spacing), end);
   const CameraRays::FilmPlane plane = rays.plane();
   const auto along_film = [&](const glm::dvec3& per_pixel, double cells) {
     const glm::dvec3 axis = cells / glm::dot(per_pixel, per_pixel) * per_pixel;
@@ -132,7 +156,6 @@ EyeLobe::EyeLobe(const SourceGrid& grid, const SentLight& sent, const LobedMediu
              glm::vec3(rays.forward()),
              static_cast<float>(columns.start()),
              static_cast<float>(columns.distance())};
-  const ViewDepths depths(grid, medium);
   const SeenSurfels surfels = seen_surfels(grid, sent, rays, columns.start(), depths, job);
   Lobe lobe{static_cast<float>(medium.anisotropy), {}};
   std::ranges::transform(PhaseBands(medium.anisotropy).phase_powers(), lobe.rest.begin(),
@@ -152,6 +175,23 @@ EyeLobe::EyeLobe(const SourceGrid& grid, const SentLight& sent, const LobedMediu
     values_[i] = glm::vec4(HWY_DYNAMIC_DISPATCH(Scatter)(surfels, lobe, place), 0.0f);
   });
   columns.fill_hidden(values_);
+  add_places_behind(columns, sky_values(columns, {sky, sent.ray_caster, medium, depths}, job));
+}
+
+void EyeLobe::add_places_behind(const LobeColumns& columns, std::vector<glm::vec4> sky) {
+  const std::size_t count = values_.size();
+  values_.resize(2 * count);
+  const auto add = [&](std::size_t first) {
+    for (std::size_t i = 0; i < count; ++i) values_[first + i] = values_[i] + sky[i];
+  };
+  const std::vector<glm::vec4> before = sky;
+  columns.pass_by_hidden(sky);
+  add(count);
+  sky = before;
+  add(0);
+  for (std::size_t i = 0; i < count; ++i) {
+    values_[i].w = static_cast<float>(columns.surface(i % LobeColumns::count()));
+  }
 }
 
 glm::vec3 EyeLobe::at(const glm::vec3& offset, const glm::vec3& w, float t) const {
@@ -164,12 +204,15 @@ glm::vec3 EyeLobe::at(const glm::vec3& offset, const glm::vec3& w, float t) cons
                  glm::vec3(0.0f), last);
   const glm::ivec3 first = glm::min(glm::ivec3(place), size - 2);
   const glm::vec3 f = place - glm::vec3(first);
-  const glm::vec4* const corner = values_.data() + (first.z * size.y + first.y) * size.x + first.x;
-  const auto on_layer = [&](const glm::vec4* layer) {
-    return glm::mix(glm::mix(layer[0], layer[1], f.x),
-                    glm::mix(layer[size.x], layer[size.x + 1], f.x), f.y);
+  constexpr int slab = size.x * size.y;
+  const glm::vec4* const corner = values_.data() + first.z * slab + first.y * size.x + first.x;
+  const auto in_column = [&](const glm::vec4* value) {
+    if (t > value->w) value += slab * size.z;
+    return glm::mix(value[0], value[slab], f.z);
   };
-  return glm::vec3(glm::mix(on_layer(corner), on_layer(corner + size.x * size.y), f.z));
+  return glm::vec3(
+      glm::mix(glm::mix(in_column(corner), in_column(corner + 1), f.x),
+               glm::mix(in_column(corner + size.x), in_column(corner + size.x + 1), f.x), f.y));
 }
 
 }  // namespace brume

@@ -29,7 +29,8 @@ double median_of_finite(std::vector<double> values) {
 }  // namespace
 
 LobeColumns::LobeColumns(const CameraRays& rays, const RayCaster& ray_caster,
-                         std::span<const Surface> surfaces, double start, double min_distance)
+                         std::span<const Surface> surfaces, double start, double min_distance,
+                         double end)
     : eye_(rays.eye()), start_(start) {
   for (int y = 0; y < size.y; ++y) {
     for (int x = 0; x < size.x; ++x) {
@@ -54,6 +55,11 @@ LobeColumns::LobeColumns(const CameraRays& rays, const RayCaster& ray_caster,
     normals_.push_back(point.normal);
   }
   distance_ = std::max(median_of_finite(surfaces_) - start, min_distance);
+  const auto is_finite = [](double distance) { return std::isfinite(distance); };
+  const auto ended = static_cast<std::size_t>(std::ranges::count_if(surfaces_, is_finite));
+  // Where most rays see the sky its light counts as far as that.
+  constexpr double share_of_end = 1.0 / 6.0;
+  if (2 * ended < count()) distance_ = std::max(distance_, share_of_end * (end - start));
 }
 
 double LobeColumns::end(std::size_t column) const {
@@ -61,10 +67,50 @@ double LobeColumns::end(std::size_t column) const {
   return start_ + gathered * (surfaces_[column] - start_);
 }
 
+std::vector<bool> LobeColumns::hidden_on(int layer) const {
+  std::vector<bool> is_hidden(count());
+  for (std::size_t i = 0; i < count(); ++i) is_hidden[i] = hides(i, layer);
+  return is_hidden;
+}
+
+bool LobeColumns::goes_on(std::size_t column, std::size_t neighbour, int layer) const {
+  const glm::dvec3 passing = eye_ + offsets_[neighbour] + distance(layer) * directions_[neighbour];
+  return glm::dot(passing - points_[column], normals_[column]) > 0.0;
+}
+
+template <class Visit>
+void LobeColumns::each_seen_beside(const Place& place, const std::vector<bool>& is_hidden,
+                                   Visit visit) const {
+  for (int v = std::max(place.y - 1, 0); v <= std::min(place.y + 1, size.y - 1); ++v) {
+    for (int u = std::max(place.x - 1, 0); u <= std::min(place.x + 1, size.x - 1); ++u) {
+      if (!is_hidden[column_index(u, v)]) visit(column_index(u, v));
+    }
+  }
+}
+
+void LobeColumns::pass_by_hidden(std::span<glm::vec4> values) const {
+  for (int layer = 0; layer < size.z; ++layer) {
+    const std::vector<bool> is_hidden = hidden_on(layer);
+    for (int y = 0; y < size.y; ++y) {
+      for (int x = 0; x < size.x; ++x) {
+        const std::size_t column = column_index(x, y);
+        if (!is_hidden[column]) continue;
+        glm::vec4 sum(0.0f);
+        float number = 0.0f;
+        each_seen_beside({x, y, layer}, is_hidden, [&](std::size_t neighbour) {
+          if (goes_on(column, neighbour, layer)) return;
+          sum += values[first_of(layer) + neighbour];
+          number += 1.0f;
+        });
+        if (number > 0.0f) values[first_of(layer) + column] = sum / number;
+      }
+    }
+  }
+}
+
 void LobeColumns::fill_hidden(std::span<glm::vec4> values) const {
   for (int layer = 0; layer < size.z; ++layer) {
-    std::vector<bool> is_hidden(count());
-    for (std::size_t i = 0; i < count(); ++i) is_hidden[i] = hides(i, layer);
+    std::vector<bool> is_hidden = hidden_on(layer);
     for (bool changes = true; changes;) {
       changes = false;
       const std::vector<bool> was_hidden = is_hidden;
@@ -88,13 +134,10 @@ std::optional<glm::vec4> LobeColumns::mean_continued(std::span<const glm::vec4> 
                                                      const std::vector<bool>& is_hidden) const {
   glm::vec4 sum(0.0f);
   float number = 0.0f;
-  for (int v = std::max(place.y - 1, 0); v <= std::min(place.y + 1, size.y - 1); ++v) {
-    for (int u = std::max(place.x - 1, 0); u <= std::min(place.x + 1, size.x - 1); ++u) {
-      if (is_hidden[column_index(u, v)]) continue;
-      sum += continued(values, place, column_index(u, v));
-      number += 1.0f;
-    }
-  }
+  each_seen_beside(place, is_hidden, [&](std::size_t neighbour) {
+    sum += continued(values, place, neighbour);
+    number += 1.0f;
+  });
   if (number == 0.0f) return std::nullopt;
   return sum / number;
 }
@@ -106,10 +149,7 @@ glm::vec4 LobeColumns::continued(std::span<const glm::vec4> values, const Place&
                                  std::size_t neighbour) const {
   const std::size_t column = column_index(place.x, place.y);
   const std::size_t layer = first_of(place.layer);
-  const glm::dvec3 passing =
-      eye_ + offsets_[neighbour] + distance(place.layer) * directions_[neighbour];
-  const bool goes_on = glm::dot(passing - points_[column], normals_[column]) > 0.0;
-  if (!goes_on) return values[layer + neighbour];
+  if (!goes_on(column, neighbour, place.layer)) return values[layer + neighbour];
   if (place.layer == 0 || !hides(column, place.layer - 1)) return values[layer + column];
   const std::size_t nearer = first_of(place.layer - 1);
   return values[nearer + column] + values[layer + neighbour] - values[nearer + neighbour];

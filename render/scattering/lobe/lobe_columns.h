@@ -20,10 +20,12 @@ class LobeColumns {
   static constexpr glm::ivec3 size{24, 16, 20};
 
   // Layers begin at `start` along the rays, and are at least min_distance apart in the middle.
+  // `end`: that of the medium before a sky.
   LobeColumns(const CameraRays& rays, const RayCaster& ray_caster,
-              std::span<const Surface> surfaces, double start, double min_distance);
+              std::span<const Surface> surfaces, double start, double min_distance, double end);
 
   static constexpr std::size_t count() { return static_cast<std::size_t>(size.x * size.y); }
+  [[nodiscard]] const glm::dvec3& eye() const { return eye_; }
   [[nodiscard]] const glm::dvec3& direction(std::size_t column) const {
     return directions_[column];
   }
@@ -50,12 +52,20 @@ class LobeColumns {
   // Continues values behind surfaces, as rays that pass by them are looked up between both. Hidden
   // values are those of the place where the column ends.
   void fill_hidden(std::span<glm::vec4> values) const;
+  // Sets hidden values beside an edge to those of what is seen past it.
+  void pass_by_hidden(std::span<glm::vec4> values) const;
 
  private:
   struct Place {
     int x, y, layer;
   };
 
+  // Calls visit(column) for all columns beside a place that are seen on its layer.
+  template <class Visit>
+  void each_seen_beside(const Place& place, const std::vector<bool>& is_hidden, Visit visit) const;
+  // Whether the surface that ends a column goes on below the place of a layer of a neighbour.
+  [[nodiscard]] bool goes_on(std::size_t column, std::size_t neighbour, int layer) const;
+  [[nodiscard]] std::vector<bool> hidden_on(int layer) const;
   [[nodiscard]] glm::vec4 continued(std::span<const glm::vec4> values, const Place& place,
                                     std::size_t neighbour) const;
   // The mean of what those continue that are seen beside it.

@@ -42,6 +42,11 @@ double ViewDepths::operator()(const glm::dvec3& begin, const glm::dvec3& w, doub
   return depth + sum * length / steps / medium_.grid_extinction;
 }
 
+double ViewDepths::end(const glm::dvec3& begin, const glm::dvec3& w) const {
+  const double fog = medium_.fog_density > 0.0 ? medium_.fog.interval(begin, w).end : 0.0;
+  return std::max(fog, has_gaussians_ ? gaussians_.interval(begin, w).end : 0.0);
+}
+
 double ViewDepths::density(const glm::dvec3& point) const {
   for (const SourceGrid::Level& level : grid_.levels()) {
     const glm::dvec3 cells = in_cells(level, point);

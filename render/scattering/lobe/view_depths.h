@@ -23,6 +23,8 @@ class ViewDepths {
   // The depth of the first `distance` from a point on, in the unit direction w.
   [[nodiscard]] double operator()(const glm::dvec3& begin, const glm::dvec3& w,
                                   double distance) const;
+  // The distance from there at which the medium ends; at most 0 if it is behind.
+  [[nodiscard]] double end(const glm::dvec3& begin, const glm::dvec3& w) const;
 
  private:
   // The density of the Gaussians, as the grid has it.
