@@ -47,16 +47,15 @@ std::uint64_t seed_of(const Document& document) {
 }
 
 FogNumbers ground_mist(const Document& document, const FogPlace& place) {
-  FogShape layer;
-  layer.size = {1.8 * place.size, 0.06 * place.size, 1.8 * place.size};
-  layer.center = place.target;
   // Gaussians are as thick as the layer; wider ones, which takes fewer.
-  layer.spacing = 0.06 * place.size;
-  layer.flatness = 2.5;
-  layer.density = density_over(3.0, place.size);
-  layer.jitter = 0.8;
-  layer.seed = seed_of(document);
-  return layer;
+  const double height = 0.06 * place.size;
+  return FogShape{.center = place.target,
+                  .size = {1.8 * place.size, height, 1.8 * place.size},
+                  .density = density_over(3.0, place.size),
+                  .spacing = height,
+                  .flatness = 2.5,
+                  .jitter = 0.8,
+                  .seed = seed_of(document)};
 }
 
 void lay(Document& document, const FogNumbers& numbers, const FogPlace& place) {
@@ -64,17 +63,16 @@ void lay(Document& document, const FogNumbers& numbers, const FogPlace& place) {
 }
 
 FogNumbers steam(const Document& document, const FogPlace& place) {
-  FogColumn column;
-  column.foot = place.target;
-  column.height = std::min(0.45 * place.size, 0.9 * place.headroom);
-  column.width = 0.05 * place.size;
-  column.spread = 0.3;
-  column.lean = {0.06 * place.size, 0.0, 0.02 * place.size};
-  column.density = density_over(1.2, 0.05 * place.size);
-  column.count = 40;
-  column.turbulence = 0.7;
-  column.seed = seed_of(document);
-  return column;
+  const double width = 0.05 * place.size;
+  return FogColumn{.foot = place.target,
+                   .height = std::min(0.45 * place.size, 0.9 * place.headroom),
+                   .width = width,
+                   .spread = 0.3,
+                   .lean = {0.06 * place.size, 0.0, 0.02 * place.size},
+                   .density = density_over(1.2, width),
+                   .count = 40,
+                   .turbulence = 0.7,
+                   .seed = seed_of(document)};
 }
 
 void add_steam(Document& document, const FogNumbers& numbers, const FogPlace& /*place*/) {
@@ -82,17 +80,17 @@ void add_steam(Document& document, const FogNumbers& numbers, const FogPlace& /*
 }
 
 FogNumbers smoke_column(const Document& document, const FogPlace& place) {
-  FogColumn column;
-  column.foot = place.target;
-  column.height = std::min(1.2 * place.size, 0.9 * place.headroom);
-  column.width = 0.06 * place.size;
-  column.spread = 0.17;
-  column.lean = {0.35 * column.height, 0.0, -0.1 * column.height};
-  column.density = density_over(1.8, 0.06 * place.size);
-  column.count = 90;
-  column.turbulence = 0.6;
-  column.seed = seed_of(document);
-  return column;
+  const double height = std::min(1.2 * place.size, 0.9 * place.headroom);
+  const double width = 0.06 * place.size;
+  return FogColumn{.foot = place.target,
+                   .height = height,
+                   .width = width,
+                   .spread = 0.17,
+                   .lean = {0.35 * height, 0.0, -0.1 * height},
+                   .density = density_over(1.8, width),
+                   .count = 90,
+                   .turbulence = 0.6,
+                   .seed = seed_of(document)};
 }
 
 void add_smoke_column(Document& document, const FogNumbers& numbers, const FogPlace& /*place*/) {
@@ -114,14 +112,12 @@ void add_haze(Document& document, const FogNumbers& numbers, const FogPlace& /*p
 // the light that crosses it.
 FogShape cloud_on_ground(const Document& document, const FogPlace& place, double width,
                          double height, double spacing, double jitter) {
-  FogShape cloud;
-  cloud.size = {width * place.size, height * place.size, width * place.size};
-  cloud.center = place.target + glm::dvec3(0.0, 0.5 * height * place.size, 0.0);
-  cloud.spacing = spacing * place.size;
-  cloud.density = density_over(0.7, width * place.size);
-  cloud.jitter = jitter;
-  cloud.seed = seed_of(document);
-  return cloud;
+  return {.center = place.target + glm::dvec3(0.0, 0.5 * height * place.size, 0.0),
+          .size = place.size * glm::dvec3(width, height, width),
+          .density = density_over(0.7, width * place.size),
+          .spacing = spacing * place.size,
+          .jitter = jitter,
+          .seed = seed_of(document)};
 }
 
 FogNumbers dust(const Document& document, const FogPlace& place) {

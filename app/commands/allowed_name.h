@@ -1,7 +1,10 @@
 #pragma once
 
 #include <QString>
+#include <algorithm>
 
+#include "app/commands/scene_part_command.h"
+#include "app/commands/undo_text.h"
 #include "brume/limits.h"
 
 namespace brume {
@@ -21,6 +24,38 @@ QString free_name(const QString& name, IsTaken is_taken) {
   QString result = name;
   for (int k = 2; is_taken(result); ++k) result = name + ' ' + QString::number(k);
   return result;
+}
+
+// That among objects with names and ids, but for the one of `own_id`.
+template <class Objects>
+std::string free_name(const Objects& objects, const QString& name, auto own_id) {
+  const auto is_taken = [&](const QString& text) {
+    return std::ranges::any_of(objects, [&](const auto& other) {
+      return other.id != own_id && QString::fromStdString(other.name) == text;
+    });
+  };
+  return free_name(name, is_taken).toStdString();
+}
+
+template <class Objects>
+auto new_id(const Objects& objects) {
+  decltype(objects.front().id) last = 0;
+  for (const auto& object : objects) last = std::max(last, object.id);
+  return last + 1;
+}
+
+// Renames one of the scene's groups or splines, as an undo step.
+template <class Objects>
+void rename_one(Document& document, Objects objects, auto id, const QString& name) {
+  const auto found = std::ranges::find(objects, id, &Objects::value_type::id);
+  const QString wanted = allowed_name(name, 10);  // with room for a number
+  if (found == objects.end() || wanted.isEmpty()) return;
+  const QString before = QString::fromStdString(found->name);
+  if (wanted == before) return;
+  found->name = free_name(objects, wanted, id);
+  const QString text =
+      undo_text("Rename %1 to %2").arg(before, QString::fromStdString(found->name));
+  set_scene_part(document, std::move(objects), text);
 }
 
 }  // namespace brume

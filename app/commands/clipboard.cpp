@@ -25,14 +25,6 @@ namespace {
 
 const QString heading = "x\ty\tz\tradius\tdensity";
 
-std::vector<Gaussian> selected(const Document& document) {
-  std::vector<Gaussian> gaussians;
-  for (const GaussianId id : document.selection()) {
-    gaussians.push_back(document.medium().gaussian(*document.medium().index_of(id)));
-  }
-  return gaussians;
-}
-
 glm::dvec3 center_of(const std::vector<Gaussian>& gaussians) {
   glm::dvec3 low = gaussians.front().center;
   glm::dvec3 high = low;
@@ -145,7 +137,8 @@ std::vector<Gaussian> gaussians_from_text(const QString& text) {
 
 void copy_selection(const Document& document) {
   if (document.selection().empty()) return;
-  QGuiApplication::clipboard()->setText(gaussians_to_text(selected(document)));
+  QGuiApplication::clipboard()->setText(
+      gaussians_to_text(document.gaussians(document.selection())));
 }
 
 void cut_selection(Document& document) {
@@ -190,7 +183,7 @@ void paste_gaussians(Document& document, std::optional<glm::dvec3> middle) {
 }
 
 void duplicate_selection(Document& document, const glm::dvec3& shift) {
-  std::vector<Gaussian> gaussians = selected(document);
+  std::vector<Gaussian> gaussians = document.gaussians(document.selection());
   for (Gaussian& gaussian : gaussians) gaussian.center += shift;
   add_gaussians(document, gaussians, undo_text("Duplicate"));
 }

@@ -25,15 +25,6 @@ QString name_of(const Group& group) {
   return QString::fromStdString(group.name);
 }
 
-// With a number if another group has it.
-QString free_group_name(const Groups& groups, const QString& name, GroupId own_group = 0) {
-  return free_name(name, [&](const QString& text) {
-    return std::ranges::any_of(groups, [&](const Group& group) {
-      return group.id != own_group && name_of(group) == text;
-    });
-  });
-}
-
 Group* find(Groups& groups, GroupId id) {
   const auto found = std::ranges::find(groups, id, &Group::id);
   return found == groups.end() ? nullptr : &*found;
@@ -48,12 +39,8 @@ void push(Document& document, Groups groups, MediumEdit edit, const QString& tex
 // Puts Gaussians into the groups that `group_of` gives.
 MediumEdit regrouped(const Document& document, const std::vector<GaussianId>& ids,
                      const std::function<GroupId(const Gaussian&)>& group_of) {
-  std::vector<Gaussian> after;
-  after.reserve(ids.size());
-  for (const GaussianId id : ids) {
-    after.push_back(document.medium().gaussian(*document.medium().index_of(id)));
-    after.back().group = group_of(after.back());
-  }
+  std::vector<Gaussian> after = document.gaussians(ids);
+  for (Gaussian& gaussian : after) gaussian.group = group_of(gaussian);
   return MediumEdit::change(document.medium(), ids, after);
 }
 
@@ -93,11 +80,9 @@ void group_selection(Document& document, const QString& name) {
   Groups groups = document.scene().groups;
   if (groups.size() >= limits::groups) return;
   Group group;
-  for (const Group& other : groups) group.id = std::max(group.id, other.id);
-  ++group.id;
+  group.id = new_id(groups);
   const QString wanted = allowed_name(name, 10);  // with room for a number
-  group.name =
-      free_group_name(groups, wanted.isEmpty() ? undo_text("Group") : wanted).toStdString();
+  group.name = free_name(groups, wanted.isEmpty() ? undo_text("Group") : wanted, group.id);
   group.color = colors[groups.size() % colors.size()];
   group.parent = common_outer_group(document);
   groups.push_back(group);
@@ -178,14 +163,7 @@ void delete_group(Document& document, GroupId group) {
 }
 
 void rename_group(Document& document, GroupId group, const QString& name) {
-  Groups groups = document.scene().groups;
-  Group* found = find(groups, group);
-  const QString trimmed = allowed_name(name, 10);  // with room for a number
-  if (!found || trimmed.isEmpty() || trimmed == name_of(*found)) return;
-  const QString old_name = name_of(*found);
-  found->name = free_group_name(groups, trimmed, group).toStdString();
-  const QString text = undo_text("Rename %1 to %2").arg(old_name, name_of(*found));
-  set_scene_part(document, std::move(groups), text);
+  rename_one(document, document.scene().groups, group, name);
 }
 
 bool can_nest(const Document& document, GroupId group, GroupId parent) {

@@ -21,6 +21,13 @@ void push(Document& document, MediumEdit edit, const QString& text, MergeId merg
   document.undo_stack().push(new MediumCommand(document, std::move(edit), text, merge_id));
 }
 
+std::vector<Gaussian> allowed(std::span<const Gaussian> gaussians) {
+  std::vector<Gaussian> result;
+  result.reserve(gaussians.size());
+  for (const Gaussian& gaussian : gaussians) result.push_back(within_domains(gaussian));
+  return result;
+}
+
 }  // namespace
 
 void add_gaussian(Document& document, const Gaussian& gaussian) {
@@ -34,19 +41,15 @@ void add_gaussian(Document& document, const Gaussian& gaussian) {
 }
 
 void add_gaussians(Document& document, std::span<const Gaussian> gaussians, const QString& verb) {
-  std::vector<Gaussian> added;
-  for (const Gaussian& gaussian : gaussians) added.push_back(within_domains(gaussian));
-  push(document, MediumEdit::add(document.medium(), added),
-       undo_text("%1 %2").arg(verb, gaussians_text(added.size())));
+  push(document, MediumEdit::add(document.medium(), allowed(gaussians)),
+       undo_text("%1 %2").arg(verb, gaussians_text(gaussians.size())));
 }
 
 void replace_gaussians(Document& document, std::span<const GaussianId> removed,
                        std::span<const Gaussian> added, const QString& text) {
   if (!has_room(document, added.size(), removed.size())) return;
-  std::vector<Gaussian> allowed;
-  for (const Gaussian& gaussian : added) allowed.push_back(within_domains(gaussian));
   MediumEdit edit = MediumEdit::remove(document.medium(), removed);
-  edit.merge(MediumEdit::add(document.medium(), allowed));
+  edit.merge(MediumEdit::add(document.medium(), allowed(added)));
   document.undo_stack().push(new MediumCommand(document, std::move(edit), text, no_merge,
                                                AfterAdding::select_like_removed));
 }
@@ -75,28 +78,22 @@ QString set_attribute_text(GaussianAttribute field, std::size_t count, double va
 QString set_attribute(Document& document, std::span<const GaussianId> ids, GaussianAttribute field,
                       double value, MergeId merge_id) {
   if (QString problem = attribute_problem(field, value); !problem.isEmpty()) return problem;
-  const Medium& medium = document.medium();
-  std::vector<Gaussian> after;
-  after.reserve(ids.size());
-  for (const GaussianId id : ids) {
-    Gaussian& gaussian = after.emplace_back(medium.gaussian(*medium.index_of(id)));
+  std::vector<Gaussian> after = document.gaussians(ids);
+  for (Gaussian& gaussian : after) {
     set_attribute_value(gaussian, field, value);
     // A thin ellipsoid may have got a radius that is too small.
     if (!gaussian.is_ball()) gaussian = within_domains(gaussian);
   }
-  push(document, MediumEdit::change(medium, ids, after),
+  push(document, MediumEdit::change(document.medium(), ids, after),
        set_attribute_text(field, ids.size(), value), merge_id);
   return {};
 }
 
 void change_optics(Document& document, std::span<const GaussianId> ids,
                    const std::function<void(GaussianOptics&)>& change, MergeId merge_id) {
-  const Medium& medium = document.medium();
   const glm::dvec3& of_medium = document.scene().optics.albedo;
-  std::vector<Gaussian> after;
-  after.reserve(ids.size());
-  for (const GaussianId id : ids) {
-    Gaussian& gaussian = after.emplace_back(medium.gaussian(*medium.index_of(id)));
+  std::vector<Gaussian> after = document.gaussians(ids);
+  for (Gaussian& gaussian : after) {
     const glm::dvec3 old_albedo = gaussian.optics.albedo.value_or(of_medium);
     change(gaussian.optics);
     const glm::dvec3 albedo = gaussian.optics.albedo.value_or(of_medium);
@@ -110,11 +107,8 @@ void change_optics(Document& document, std::span<const GaussianId> ids,
 void adjust_attribute(Document& document, std::span<const GaussianId> ids, GaussianAttribute field,
                       const Adjustment& adjustment) {
   const NumberDomain& domain = attribute_domain(field);
-  std::vector<Gaussian> after;
-  after.reserve(ids.size());
-  for (const GaussianId id : ids) {
-    Gaussian& gaussian =
-        after.emplace_back(document.medium().gaussian(*document.medium().index_of(id)));
+  std::vector<Gaussian> after = document.gaussians(ids);
+  for (Gaussian& gaussian : after) {
     const double value = adjustment.of(attribute_value(gaussian, field));
     if (std::isnan(value)) return;  // as of 0 * (1 / 0)
     set_attribute_value(gaussian, field, std::clamp(value, domain.min_value, domain.max_value));
@@ -127,10 +121,7 @@ void adjust_attribute(Document& document, std::span<const GaussianId> ids, Gauss
 
 void change_gaussians(Document& document, std::span<const GaussianId> ids,
                       std::span<const Gaussian> after, const QString& text, MergeId merge_id) {
-  std::vector<Gaussian> taken;
-  taken.reserve(after.size());
-  for (const Gaussian& gaussian : after) taken.push_back(within_domains(gaussian));
-  push(document, MediumEdit::change(document.medium(), ids, taken), text, merge_id);
+  push(document, MediumEdit::change(document.medium(), ids, allowed(after)), text, merge_id);
 }
 
 }  // namespace brume

@@ -13,17 +13,6 @@ QString title_of(const PaintedSpline& spline) {
   return QString::fromStdString(spline.name);
 }
 
-// With a number if another spline has it.
-std::string free_spline_name(const Splines& splines, const QString& name, SplineId own) {
-  return free_name(name,
-                   [&](const QString& text) {
-                     return std::ranges::any_of(splines, [&](const PaintedSpline& other) {
-                       return other.id != own && title_of(other) == text;
-                     });
-                   })
-      .toStdString();
-}
-
 void remove_spline(Document& document, SplineId id, bool with_fog, const QString& text) {
   Splines splines = document.scene().splines;
   const PaintedSpline* spline = find_spline(splines, id);
@@ -43,9 +32,8 @@ void remove_spline(Document& document, SplineId id, bool with_fog, const QString
 PaintedSpline new_spline(const Document& document) {
   PaintedSpline spline;
   const Splines& splines = document.scene().splines;
-  for (const PaintedSpline& other : splines) spline.id = std::max(spline.id, other.id);
-  ++spline.id;
-  spline.name = free_spline_name(splines, undo_text("Spline"), spline.id);
+  spline.id = new_id(splines);
+  spline.name = free_name(splines, undo_text("Spline"), spline.id);
   return spline;
 }
 
@@ -62,14 +50,7 @@ void select_spline(Document& document, SplineId id) {
 }
 
 void rename_spline(Document& document, SplineId id, const QString& name) {
-  Splines splines = document.scene().splines;
-  PaintedSpline* spline = find_spline(splines, id);
-  const QString trimmed = allowed_name(name, 10);  // with room for a number
-  if (!spline || trimmed.isEmpty() || trimmed == title_of(*spline)) return;
-  const QString old_name = title_of(*spline);
-  spline->name = free_spline_name(splines, trimmed, id);
-  const QString text = undo_text("Rename %1 to %2").arg(old_name, title_of(*spline));
-  set_scene_part(document, std::move(splines), text);
+  rename_one(document, document.scene().splines, id, name);
 }
 
 void delete_spline(Document& document, SplineId spline) {

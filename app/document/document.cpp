@@ -191,6 +191,13 @@ void Document::set_time(double time) {
   announce(what);
 }
 
+std::vector<Gaussian> Document::gaussians(std::span<const GaussianId> ids) const {
+  std::vector<Gaussian> found;
+  found.reserve(ids.size());
+  for (const GaussianId id : ids) found.push_back(medium().gaussian(*medium().index_of(id)));
+  return found;
+}
+
 Gaussian Document::effective_gaussian(std::size_t index) const {
   Gaussian gaussian = medium().gaussian(index);
   gaussian.optics.albedo = gaussian.optics.albedo.value_or(scene_.optics.albedo);

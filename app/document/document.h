@@ -36,6 +36,8 @@ class Document : public QObject {
   [[nodiscard]] const Medium& medium() const { return scene_.medium; }
   // The Gaussians of the medium as their groups make them, hidden ones too: the same ids and order.
   [[nodiscard]] const Medium& grouped_medium() const { return grouped().medium(scene_.medium); }
+  // The Gaussians of the medium that have these ids, in their order.
+  [[nodiscard]] std::vector<Gaussian> gaussians(std::span<const GaussianId> ids) const;
   // A Gaussian of the medium, with the medium's albedo if it has none of its own.
   [[nodiscard]] Gaussian effective_gaussian(std::size_t index) const;
   [[nodiscard]] double value(std::size_t index, GaussianAttribute field) const;  // of it

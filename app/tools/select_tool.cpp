@@ -146,13 +146,11 @@ void SelectTool::medium_changed() {
 }
 
 void SelectTool::begin_move() {
-  const Medium& medium = document_.medium();
   gesture_ = Gesture::moving;
   merge_id_ = new_merge_id();
   ids_ = document_.selection();
-  gaussians_.clear();
-  for (const GaussianId id : ids_) gaussians_.push_back(medium.gaussian(*medium.index_of(id)));
-  depth_ = view().handles().position(*medium.index_of(*pressed_)).z;
+  gaussians_ = document_.gaussians(ids_);
+  depth_ = view().handles().position(*document_.medium().index_of(*pressed_)).z;
 }
 
 void SelectTool::move_selection(QPointF position) {

@@ -205,8 +205,7 @@ void SplineTool::repaint(std::vector<glm::dvec3> points, const QString& text, Me
 
   const Medium& medium = document_.medium();
   const std::vector<GaussianId> present = present_gaussians(document_, before);
-  std::vector<Gaussian> old;
-  for (const GaussianId id : present) old.push_back(medium.gaussian(*medium.index_of(id)));
+  const std::vector<Gaussian> old = document_.gaussians(present);
   std::vector<Gaussian> gaussians = painted(after);
   // Fog stays in the group that it is in.
   for (std::size_t k = 0; k < gaussians.size() && !old.empty(); ++k) {

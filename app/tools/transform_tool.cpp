@@ -97,7 +97,7 @@ void TransformTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
   if (object_) return;
   ids_ = document_.selection();
   const Medium& medium = document_.medium();
-  for (const GaussianId id : ids_) gaussians_.push_back(medium.gaussian(*medium.index_of(id)));
+  gaussians_ = document_.gaussians(ids_);
   weights_.assign(ids_.size(), 1.0);
   if (soft_radius_ <= 0.0) return;
   for (const SoftMember& member : soft_members(medium, document_.selection(), soft_radius_)) {

@@ -183,10 +183,7 @@ void GaussianForm::set(GaussianAttribute field, double value, MergeId gesture) {
   }
   // From the start of the gesture: on its way an ellipsoid may be a ball, which has no rotation.
   if (gesture == no_merge || gesture != start_.gesture || ids != start_.ids) {
-    start_ = {gesture, ids, {}};
-    for (const GaussianId id : ids) {
-      start_.gaussians.push_back(document_.medium().gaussian(*document_.medium().index_of(id)));
-    }
+    start_ = {gesture, ids, document_.gaussians(ids)};
   }
   std::vector<Gaussian> after = start_.gaussians;
   for (Gaussian& gaussian : after) set_attribute_value(gaussian, field, value);
@@ -220,16 +217,13 @@ void GaussianForm::rotate(std::span<const GaussianId> ids, GaussianAttribute fie
                           MergeId gesture) {
   const int axis = static_cast<int>(field) - static_cast<int>(GaussianAttribute::rotation_x);
   const NumberDomain& domain = attribute_domain(field);
-  std::vector<Gaussian> after;
-  after.reserve(ids.size());
-  for (const GaussianId id : ids) {
-    Gaussian& gaussian =
-        after.emplace_back(document_.medium().gaussian(*document_.medium().index_of(id)));
-    glm::dvec3 angles = entered_angles_.of(id, gaussian);
+  std::vector<Gaussian> after = document_.gaussians(ids);
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    glm::dvec3 angles = entered_angles_.of(ids[k], after[k]);
     const double degrees = becomes(angles[axis]);
     if (std::isnan(degrees)) return;  // as of 0 * (1 / 0)
     angles[axis] = std::clamp(degrees, domain.min_value, domain.max_value);
-    entered_angles_.enter(id, angles, gaussian);
+    entered_angles_.enter(ids[k], angles, after[k]);
   }
   change_gaussians(document_, ids, after, text, gesture);
 }
