@@ -3,6 +3,7 @@
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
+#include <QScrollArea>
 #include <initializer_list>
 
 namespace brume {
@@ -25,6 +26,15 @@ inline QHBoxLayout* row_of(std::initializer_list<QWidget*> widgets) {
   for (QWidget* widget : widgets) row->addWidget(widget);
   row->setStretch(0, 1);
   return row;
+}
+
+// A panel that scrolls where it has no room.
+inline QScrollArea* scrolled(QWidget* panel) {
+  auto* area = new QScrollArea;
+  area->setWidget(panel);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  return area;
 }
 
 // The last row of a dialog: Cancel, and the button that accepts it.

@@ -62,15 +62,6 @@ QUndoView* history_view(QUndoStack& stack) {
   return view;
 }
 
-// Panels that a small screen may be too low for.
-QWidget* scrolled(QWidget* panel) {
-  auto* area = new QScrollArea;
-  area->setWidget(panel);
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  return area;
-}
-
 }  // namespace
 
 Docks::Docks(const Workspace& work, FrameOutput& output, FileJobs& jobs, QMainWindow& window)

@@ -47,11 +47,7 @@ QScrollArea* scrolled_panel(QWidget* panel) {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(panel);
   layout->addStretch();
-  auto* area = new QScrollArea;
-  area->setWidget(column);
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  return area;
+  return scrolled(column);
 }
 
 QString region_text(const std::optional<QRectF>& region) {

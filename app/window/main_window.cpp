@@ -13,12 +13,14 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "app/assets/asset_files.h"
 #include "app/document/paths.h"
 #include "app/document/timeline.h"
 #include "app/export/queue_list.h"
 #include "app/export/render_queue.h"
+#include "app/files/recent_pictures.h"
 #include "app/files/scene_files.h"
 #include "app/tools/tool_bars.h"
 #include "app/tools/tool_box.h"
@@ -37,7 +39,6 @@
 #include "app/window/pages/start_page.h"
 #include "app/window/picture_window.h"
 #include "app/window/saved_views.h"
-#include "app/window/scene_picture.h"
 #include "app/window/status_line.h"
 
 namespace brume {
@@ -65,6 +66,24 @@ void fit_into(const QRect& room, QWidget& window) {
   place.moveLeft(std::clamp(place.left(), room.left(), room.right() + 1 - place.width()));
   place.moveTop(std::clamp(place.top(), room.top(), room.bottom() + 1 - place.height()));
   window.setGeometry(place);
+}
+
+// Keeps a small picture of each scene as it is in its file, for the start page and the menu of
+// recent files.
+void keep_scene_pictures(const Document& document, const Viewport& view) {
+  using Saved = std::pair<std::filesystem::path, std::uint64_t>;  // file and revision
+  const FrameScheduler& frames = view.frames();
+  QObject::connect(&frames, &FrameScheduler::frame_shown, &view,
+                   [&document, &frames, saved = Saved()]() mutable {
+                     const std::filesystem::path& file = document.file();
+                     if (!frames.is_settled() || file.empty() || document.is_modified()) return;
+                     if (frames.mode() == ViewMode::path_traced) return;  // noisy yet
+                     const Saved now(file, document.revision());
+                     if (std::exchange(saved, now) == now) return;
+                     const DisplayLook look{frames.exposure(), nullptr};
+                     save_recent_picture(file,
+                                         to_picture(frames.shown()->frame, look, ViewMode::final));
+                   });
 }
 
 }  // namespace
@@ -103,7 +122,7 @@ MainWindow::MainWindow(QWidget* parent)
                 .autosave = *autosave_,
                 .timeline_bar = docks->timeline_bar()},
                *this);
-  new ScenePicture(document_, *viewport_, this);
+  keep_scene_pictures(document_, *viewport_);
   on_change(document_, Change::file | Change::modified, this, &MainWindow::update_title);
   for (const ToolBox::Entry& entry : tools_->entries()) {
     connect(entry.tool.get(), &Tool::refused, this, work.show_status);

@@ -1,9 +1,9 @@
-#include <QActionGroup>
 #include <QMenu>
 #include <optional>
 
 #include "app/files/file_dialogs.h"
 #include "app/frames/color_management.h"
+#include "app/window/menus/menu_action.h"
 #include "app/window/menus/menus.h"
 #include "brume/error.h"
 
@@ -26,15 +26,12 @@ void choose_and_report(const ColorManagement& color, const Report& report,
   }
 }
 
-void add_choice(QMenu& menu, QActionGroup& group, const QString& title, ColorManagement& color,
-                const std::optional<ColorChoice>& choice, const Report& report) {
-  QAction* action = menu.addAction(title);
-  action->setCheckable(true);
-  action->setChecked(choice ? color.view() && color.view()->choice() == *choice : !color.view());
-  group.addAction(action);
-  QObject::connect(action, &QAction::triggered, &color, [&color, choice, report] {
+void add_view(QMenu& menu, QActionGroup& group, const QString& title, ColorManagement& color,
+              const std::optional<ColorChoice>& choice, const Report& report) {
+  const bool is_chosen = choice ? color.view() && color.view()->choice() == *choice : !color.view();
+  menu.addAction(add_choice(&group, title, is_chosen, [&color, choice, report] {
     choose_and_report(color, report, [&] { color.choose(choice); });
-  });
+  }));
 }
 
 void add_displays(QMenu& menu, QActionGroup& group, ColorManagement& color,
@@ -51,8 +48,8 @@ void add_displays(QMenu& menu, QActionGroup& group, ColorManagement& color,
   for (const ColorDisplay& display : displays) {
     menu.addSection(QString::fromStdString(display.name));
     for (const std::string& view : display.views) {
-      add_choice(menu, group, QString::fromStdString(view), color,
-                 ColorChoice{config, display.name, view}, report);
+      add_view(menu, group, QString::fromStdString(view), color,
+               ColorChoice{config, display.name, view}, report);
     }
   }
 }
@@ -61,14 +58,14 @@ void fill(QMenu& menu, ColorManagement& color, const Report& report) {
   menu.clear();
   auto* group = new QActionGroup(&menu);
   QObject::connect(&menu, &QMenu::aboutToHide, group, &QObject::deleteLater);
-  add_choice(menu, *group, QMenu::tr("&Neutral"), color, std::nullopt, report);
+  add_view(menu, *group, QMenu::tr("&Neutral"), color, std::nullopt, report);
   menu.actions().back()->setToolTip(
       QMenu::tr("Khronos PBR Neutral in sRGB: colours as they are, highlights compressed"));
   add_displays(menu, *group, color, color.config(), report);
   menu.addSeparator();
   if (color.config() != aces_config) {
-    add_choice(menu, *group, QMenu::tr("&ACES 1.0"), color,
-               ColorView({aces_config, {}, {}}).choice(), report);
+    add_view(menu, *group, QMenu::tr("&ACES 1.0"), color, ColorView({aces_config, {}, {}}).choice(),
+             report);
   }
   QAction* other = menu.addAction(QMenu::tr("&Configuration…"));
   other->setToolTip(QMenu::tr("Views of another configuration of OpenColorIO (.ocio)"));

@@ -1,6 +1,5 @@
 #include "app/window/menus/main_menu.h"
 
-#include <QActionGroup>
 #include <QApplication>
 #include <QDockWidget>
 #include <QMainWindow>
@@ -298,11 +297,9 @@ void MainMenu::fill_help_menu(QMenu* menu, const QList<QMenu*>& others) {
 void MainMenu::fill_mode_menu(QMenu* menu) {
   auto* group = new QActionGroup(&window_);
   for (const ViewMode mode : view_modes) {
-    QAction* action = group->addAction(view_mode_title(mode));
-    action->setCheckable(true);
-    action->setChecked(mode == work_.views.perspective().frames().mode());
-    connect(action, &QAction::triggered, this,
-            [this, mode] { work_.views.active().frames().set_mode(mode); });
+    QAction* action =
+        add_choice(group, view_mode_title(mode), mode == work_.views.perspective().frames().mode(),
+                   [this, mode] { work_.views.active().frames().set_mode(mode); });
     connect(&work_.views, &ViewGrid::mode_changed, action, [this, action, mode] {
       action->setChecked(mode == work_.views.active().frames().mode());
     });
@@ -329,14 +326,12 @@ void MainMenu::fill_backend_menu(QMenu* menu) {
   auto* group = named(new QActionGroup(&window_), "backend");
   const auto add = [&](const char* name, const QString& text, Backend backend) {
     if (remembered == name) work_.views.set_backend(backend);
-    QAction* action = group->addAction(text);
-    action->setCheckable(true);
-    action->setObjectName(QString("backend_") + name);
-    action->setChecked(work_.views.backend() == backend);
-    connect(action, &QAction::triggered, this, [this, name, backend] {
-      work_.views.set_backend(backend);
-      QSettings().setValue(backend_key, name);
-    });
+    named(add_choice(group, text, work_.views.backend() == backend,
+                     [this, name, backend] {
+                       work_.views.set_backend(backend);
+                       QSettings().setValue(backend_key, name);
+                     }),
+          QString("backend_") + name);
   };
   add("auto", tr("&Auto: OpenGL if there is a GPU"), Backend::auto_);
   add("cpu", tr("&CPU"), Backend::cpu);
@@ -348,15 +343,14 @@ void MainMenu::fill_navigation_menu(QMenu* menu) {
   auto* group = named(new QActionGroup(&window_), "navigation");
   const int remembered = QSettings().value(navigation_key).toInt();
   const auto add = [&](const char* name, const QString& text, NavigationPreset preset) {
-    QAction* action = group->addAction(text);
-    action->setCheckable(true);
-    action->setObjectName(QString("navigation_") + name);
-    if (remembered == static_cast<int>(preset)) work_.views.set_navigation(preset);
-    action->setChecked(remembered == static_cast<int>(preset));
-    connect(action, &QAction::triggered, this, [this, preset] {
-      work_.views.set_navigation(preset);
-      QSettings().setValue(navigation_key, static_cast<int>(preset));
-    });
+    const bool is_remembered = remembered == static_cast<int>(preset);
+    if (is_remembered) work_.views.set_navigation(preset);
+    named(add_choice(group, text, is_remembered,
+                     [this, preset] {
+                       work_.views.set_navigation(preset);
+                       QSettings().setValue(navigation_key, static_cast<int>(preset));
+                     }),
+          QString("navigation_") + name);
   };
   add("brume", tr("&Brume: middle button, or Alt"), NavigationPreset::brume);
   add("blender", tr("Like B&lender: middle button, Shift, Ctrl"), NavigationPreset::blender);
@@ -367,11 +361,8 @@ void MainMenu::fill_navigation_menu(QMenu* menu) {
 void MainMenu::fill_theme_menu(QMenu* menu) {
   auto* group = named(new QActionGroup(&window_), "theme");
   const auto add = [&](const char* name, const QString& text, Theme theme) {
-    QAction* action = group->addAction(text);
-    action->setCheckable(true);
-    action->setObjectName(QString("theme_") + name);
-    action->setChecked(brume::theme() == theme);
-    connect(action, &QAction::triggered, this, [theme] { set_theme(theme); });
+    named(add_choice(group, text, brume::theme() == theme, [theme] { set_theme(theme); }),
+          QString("theme_") + name);
   };
   add("dark", tr("&Dark"), Theme::dark);
   add("light", tr("&Light"), Theme::light);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QAction>
+#include <QActionGroup>
 #include <QMenu>
 
 #include "app/widgets/keys.h"
@@ -16,6 +17,16 @@ QAction* add_action(QMenu* menu, const QString& text, const char* name, QObject*
   action->setObjectName(name);
   action->setShortcuts(keys_of(name));
   QObject::connect(action, &QAction::triggered, context, react);
+  return action;
+}
+
+// Adds one of the choices of a group, which calls `choose`.
+template <class Choose>
+QAction* add_choice(QActionGroup* group, const QString& text, bool is_chosen, Choose choose) {
+  QAction* action = group->addAction(text);
+  action->setCheckable(true);
+  action->setChecked(is_chosen);
+  QObject::connect(action, &QAction::triggered, group, choose);
   return action;
 }
 

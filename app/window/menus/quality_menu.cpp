@@ -1,4 +1,3 @@
-#include <QActionGroup>
 #include <QMenu>
 #include <QSettings>
 
@@ -6,6 +5,7 @@
 #include "app/viewport/view_grid.h"
 #include "app/widgets/frame_text.h"
 #include "app/widgets/rows.h"
+#include "app/window/menus/menu_action.h"
 #include "app/window/menus/menus.h"
 
 namespace brume {
@@ -51,12 +51,9 @@ std::vector<Choice> choices(double max_error) {
 void fill_quality_menu(QMenu& menu, ViewGrid& views, PerformancePanel& performance) {
   auto* group = named(new QActionGroup(&menu), "airlight");
   menu.setToolTipsVisible(true);
-  const auto add = [&](const QString& title, const QString& name, const QString& tool_tip) {
-    QAction* action = group->addAction(title);
-    action->setCheckable(true);
-    action->setObjectName("airlight_" + name);
-    action->setToolTip(tool_tip);
-    return action;
+  const auto add = [&](const QString& title, const QString& name, const QString& tool_tip,
+                       bool is_chosen, auto choose) {
+    return named(add_choice(group, title, is_chosen, choose), "airlight_" + name, tool_tip);
   };
   const QString remembered = QSettings().value(quality_key).toString();
   for (const Choice& choice : choices(performance.max_error())) {
@@ -64,18 +61,17 @@ void fill_quality_menu(QMenu& menu, ViewGrid& views, PerformancePanel& performan
   }
   const FrameQuality& quality = views.perspective().frames().quality();
   for (const Choice& choice : choices(performance.max_error())) {
-    QAction* action = add(choice.title, choice.name, choice.tool_tip);
     const auto is_current = [&quality, choice] {
       return quality.airlight() == choice.method &&
              (choice.method != AirlightMethod::sliced || quality.slices() == choice.slices);
     };
-    action->setChecked(is_current());
-    QObject::connect(action, &QAction::triggered, &views, [&views, choice] {
+    const auto choose = [&views, choice] {
       views.set_airlight(choice.method, choice.slices);
       QSettings().setValue(quality_key, choice.name);
       FrameScheduler& frames = views.active().frames();
       if (frames.mode() == ViewMode::path_traced) frames.set_mode(ViewMode::final);
-    });
+    };
+    QAction* action = add(choice.title, choice.name, choice.tool_tip, is_current(), choose);
     // Another mode than the reference's gives way to what was chosen before.
     QObject::connect(&views, &ViewGrid::mode_changed, action, [action, is_current, &views] {
       const bool is_reference = views.active().frames().mode() == ViewMode::path_traced;
@@ -89,9 +85,8 @@ void fill_quality_menu(QMenu& menu, ViewGrid& views, PerformancePanel& performan
       add(QMenu::tr("&Reference (path traced)"), "reference",
           QMenu::tr("What all other settings are compared with: all orders of scattering by path "
                     "tracing, more and more exact in the background while nothing changes. The "
-                    "active view only"));
-  QObject::connect(reference, &QAction::triggered, &views,
-                   [&views] { views.active().frames().set_mode(ViewMode::path_traced); });
+                    "active view only"),
+          false, [&views] { views.active().frames().set_mode(ViewMode::path_traced); });
   QObject::connect(&views, &ViewGrid::mode_changed, reference, [reference, &views] {
     if (views.active().frames().mode() == ViewMode::path_traced) reference->setChecked(true);
   });
