@@ -44,8 +44,7 @@ CameraPanel::CameraPanel(Document& document, std::function<Camera()> view, QWidg
       list_(named(new QListWidget(this), "cameras")),
       film_back_(QSettings().value(film_back_key, sensor_width).toDouble()) {
   on_refresh([this] { follow_names(); });
-  auto* form = new QFormLayout(this);
-  form->setContentsMargins(6, 6, 6, 6);
+  auto* form = new_form();
   form->addRow(new_list());
   form->addRow(new_buttons());
   auto* toggles = new QWidget(this);

@@ -21,8 +21,7 @@
 namespace brume {
 EmitterPanel::EmitterPanel(Document& document, QWidget* parent)
     : SceneForm(document, parent), list_(named(new QListWidget(this), "emitters")) {
-  auto* form = new QFormLayout(this);
-  form->setContentsMargins(6, 6, 6, 6);
+  auto* form = new_form();
   add_list(*form);
   add_span(*form);
   add_fields(*form);
@@ -34,6 +33,11 @@ const Emitter* EmitterPanel::emitter() const {
   const Emitters& emitters = document_.scene().emitters;
   return document_.active_emitter() < emitters.size() ? &emitters[document_.active_emitter()]
                                                       : nullptr;
+}
+
+void EmitterPanel::change(const QString& text, MergeId gesture,
+                          const std::function<void(Emitter&)>& how) {
+  change_emitter(document_, document_.active_emitter(), text, gesture, how);
 }
 
 void EmitterPanel::add_list(QFormLayout& form) {
@@ -77,8 +81,7 @@ void EmitterPanel::change_span(const QString& verb, MergeId gesture,
   if (!goes_on) span_gesture_ = {gesture, index, *shown, {}};
   EmissionSpan changed = span_gesture_.first;
   how(changed);
-  change_emitter(document_, index, verb, gesture,
-                 [&changed](Emitter& e) { set_emission_span(e, changed); });
+  change(verb, gesture, [&changed](Emitter& e) { set_emission_span(e, changed); });
   span_gesture_.last = span().value_or(changed);
 }
 
@@ -139,9 +142,8 @@ void EmitterPanel::add_fields(QFormLayout& form) {
       .get = [this] { return emitter(); },
       .set =
           [this](const Emitter& changed, const FieldInfo& info, MergeId gesture) {
-            change_emitter(document_, document_.active_emitter(),
-                           tr("Set %1 of %2").arg(in_sentence(field_label(info)), "%1"), gesture,
-                           [&changed](Emitter& e) { e = changed; });
+            change(tr("Set %1 of %2").arg(in_sentence(field_label(info)), "%1"), gesture,
+                   [&changed](Emitter& e) { e = changed; });
           },
       .track =
           [this](const Scene& scene, const FieldInfo& info) {
@@ -163,17 +165,16 @@ void EmitterPanel::add_optics(QFormLayout& form) {
   auto* at_death = new EmissionEditor(tr("at death"), "emitter_death", this);
   form.addRow(at_death->title(), at_death);
   connect(optics, &OpticsEditor::edited, this,
-          [this](const OpticsEditor::Change& change, MergeId gesture) {
-            change_emitter(document_, document_.active_emitter(), tr("Set colours of %1"), gesture,
-                           [&](Emitter& e) {
-                             change(e.optics);
-                             if (!e.optics.albedo) e.keys.albedo.clear();
-                           });
+          [this](const OpticsEditor::Change& set, MergeId gesture) {
+            change(tr("Set colours of %1"), gesture, [&](Emitter& e) {
+              set(e.optics);
+              if (!e.optics.albedo) e.keys.albedo.clear();
+            });
           });
   connect(at_death, &EmissionEditor::edited, this,
-          [this](const EmissionEditor::Change& change, MergeId gesture) {
-            change_emitter(document_, document_.active_emitter(), tr("Set emission of %1"), gesture,
-                           [&](Emitter& e) { change(e.emission_at_death); });
+          [this](const EmissionEditor::Change& set, MergeId gesture) {
+            change(tr("Set emission of %1"), gesture,
+                   [&](Emitter& e) { set(e.emission_at_death); });
           });
   connect(optics, &OpticsEditor::refused, this, &EmitterPanel::refused);
   connect(at_death, &EmissionEditor::refused, this, &EmitterPanel::refused);

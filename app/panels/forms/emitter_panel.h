@@ -20,6 +20,7 @@ class EmitterPanel : public SceneForm {
   void add_optics(QFormLayout& form);
   [[nodiscard]] const Emitter* emitter() const;            // the active one; may be null
   [[nodiscard]] std::optional<EmissionSpan> span() const;  // of it
+  void change(const QString& text, MergeId gesture, const std::function<void(Emitter&)>& how);
   void change_span(const QString& verb, MergeId gesture,
                    const std::function<void(EmissionSpan&)>& how);
 

@@ -2,6 +2,8 @@
 
 #include <QFormLayout>
 #include <QPushButton>
+#include <algorithm>
+#include <cmath>
 
 #include "app/commands/edit_environment.h"
 #include "app/commands/scene_part_command.h"
@@ -9,11 +11,14 @@
 #include "app/document/paths.h"
 #include "app/document/words.h"
 #include "app/files/file_dialogs.h"
-#include "app/panels/forms/environment_picture.h"
+#include "app/frames/view_mode.h"
 #include "app/widgets/plain_text.h"
 #include "app/widgets/rows.h"
+#include "brume/frame.h"
 #include "core/io/image/radiance_map_file.h"
 #include "core/scene/fields/environment_fields.h"
+#include "core/scene/lights/environment.h"
+#include "core/scene/lights/radiance_map.h"
 #include "core/scene/lights/sky.h"
 
 namespace brume {
@@ -29,13 +34,38 @@ std::optional<Environment> shown_environment(const Scene& scene) {
   return lit.environment;
 }
 
+// A thumbnail of an environment as rotated by the scene: -z in the center, +x right, +y up;
+// automatic exposure.
+QImage environment_picture(const Environment& environment, int width, int height) {
+  Frame frame;
+  frame.film = {width, height};
+  RadianceMap grid;  // for its directions only
+  grid.width = width;
+  grid.height = height;
+  double sum = 0.0;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const glm::dvec3 radiance =
+          environment_radiance(environment, map_direction(grid, {x + 0.5, y + 0.5}));
+      for (int c = 0; c < 3; ++c) {
+        frame.beauty.push_back(static_cast<float>(radiance[c]));
+        sum += radiance[c] / 3.0;
+      }
+      frame.beauty.push_back(1.0F);
+    }
+  }
+  // A sun's worth of light in few pixels must not leave the rest black.
+  const double mean = sum / (static_cast<double>(width) * height);
+  const double exposure = mean > 0.0 ? std::clamp(std::log2(0.4 / mean), -30.0, 30.0) : 0.0;
+  return to_picture(frame, {exposure, nullptr}, ViewMode::final);
+}
+
 }  // namespace
 
 EnvironmentPanel::EnvironmentPanel(Document& document, QWidget* parent)
     : SceneForm(document, parent) {
-  auto* form = new QFormLayout(this);
+  auto* form = new_form(0);
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);  // docks are narrow
-  form->setContentsMargins(0, 0, 0, 0);
   add_file(*form);
   add_fields<Environment>(
       *form, {.prefix = "environment_",

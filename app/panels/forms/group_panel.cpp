@@ -24,8 +24,7 @@ GroupPanel::GroupPanel(Document& document, QWidget* parent)
                                 this),
                      "group_hint");
   hint->setWordWrap(true);
-  auto* form = new QFormLayout(this);
-  form->setContentsMargins(6, 6, 6, 6);
+  auto* form = new_form();
   form->addRow(hint);
   form->addRow(tr("Group"), groups_);
   add_color(*form, tr("Colour"),

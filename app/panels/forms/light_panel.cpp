@@ -45,9 +45,8 @@ LightPanel::LightPanel(Document& document, std::function<const View&()> active_v
     : SceneForm(document, parent),
       active_view_(std::move(active_view)),
       list_(named(new QListWidget(this), "lights")) {
-  auto* form = new QFormLayout(this);
+  auto* form = new_form();
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);  // docks are narrow
-  form->setContentsMargins(6, 6, 6, 6);
   add_light_list(*form);
   add_light_fields(*form);
   auto* environment = new EnvironmentPanel(document, this);
@@ -78,6 +77,11 @@ void LightPanel::add(const Light::Kind& kind) {
 const Light* LightPanel::light() const {
   const Lights& lights = document_.scene().lights;
   return document_.active_light() < lights.size() ? &lights[document_.active_light()] : nullptr;
+}
+
+void LightPanel::change(const QString& text, MergeId gesture,
+                        const std::function<void(Light&)>& how) {
+  change_light(document_, document_.active_light(), text, gesture, how);
 }
 
 void LightPanel::add_light_list(QFormLayout& form) {
@@ -178,8 +182,8 @@ void LightPanel::add_light_fields(QFormLayout& form) {
   add_color(form, tr("Colour"),
             {"light_color", [this] { return value_if(light(), light_color); },
              [this](const glm::dvec3& color, MergeId gesture) {
-               change_light(document_, document_.active_light(), tr("Set colour of %1"), gesture,
-                            [color](Light& l) { l.intensity = light_strength(l) * color; });
+               change(tr("Set colour of %1"), gesture,
+                      [color](Light& l) { l.intensity = light_strength(l) * color; });
              }});
   visit_light_fields([&](const auto& field, const Light&) {
     const std::string_view name = field.info.name;
@@ -192,17 +196,17 @@ void LightPanel::add_light_fields(QFormLayout& form) {
 }
 
 void LightPanel::add_strength_field(QFormLayout& form) {
-  QLabel* title = add_number(
-      form, tr("Intensity"),
-      {"light_intensity", domain::intensity, ValueField::Scale::logarithmic, 0.01,
-       [this] { return value_if(light(), light_strength); },
-       [this](double value, MergeId gesture) {
-         change_light(document_, document_.active_light(), tr("Set intensity of %1"), gesture,
-                      [value](Light& l) { l.intensity = value * light_color(l); });
-       }},
-      new_key_button("light_intensity", [this](const Scene& scene) {
-        return value_track<Lights>(scene, strength_info(*light()).name, document_.active_light());
-      }));
+  QLabel* title = add_number(form, tr("Intensity"),
+                             {"light_intensity", domain::intensity, ValueField::Scale::logarithmic,
+                              0.01, [this] { return value_if(light(), light_strength); },
+                              [this](double value, MergeId gesture) {
+                                change(tr("Set intensity of %1"), gesture,
+                                       [value](Light& l) { l.intensity = value * light_color(l); });
+                              }},
+                             new_key_button("light_intensity", [this](const Scene& scene) {
+                               return value_track<Lights>(scene, strength_info(*light()).name,
+                                                          document_.active_light());
+                             }));
   on_refresh([this, title] {
     const Light shown = light() ? *light() : Light();
     const FieldInfo& info = strength_info(shown);
@@ -240,9 +244,8 @@ void LightPanel::set_value(Light changed, const FieldInfo& info, MergeId gesture
     if (name == "outer_angle") *spot = with_outer_angle(*spot, spot->outer_angle);
   }
   if (refusal(changed)) return refresh();
-  change_light(document_, document_.active_light(),
-               tr("Set %1 of %2").arg(in_sentence(field_label(info)), "%1"), gesture,
-               [&changed](Light& l) { l = std::move(changed); });
+  change(tr("Set %1 of %2").arg(in_sentence(field_label(info)), "%1"), gesture,
+         [&changed](Light& l) { l = std::move(changed); });
 }
 
 void LightPanel::add_file_field(QFormLayout& form, const LightFile& file) {
@@ -261,8 +264,7 @@ void LightPanel::add_file_field(QFormLayout& form, const LightFile& file) {
     if (!chosen.empty()) file.load(chosen);
   });
   connect(remove, &QPushButton::clicked, this, [this, file, title] {
-    change_light(document_, document_.active_light(), tr("Remove %1 of %2").arg(title, "%1"),
-                 no_merge, [&file](Light& l) { file.remove(l); });
+    change(tr("Remove %1 of %2").arg(title, "%1"), no_merge, [&file](Light& l) { file.remove(l); });
   });
   on_refresh([this, file, name, choose, remove] {
     const std::filesystem::path* of_light = light() ? file.of(*light()) : nullptr;
@@ -367,14 +369,13 @@ void LightPanel::add_photometric_fields(QFormLayout& form) {
       return light() ? value_of(*light()) : std::nullopt;
     };
     const auto set = [this, value_of](double value, MergeId gesture) {
-      change_light(document_, document_.active_light(), tr("Set intensity of %1"), gesture,
-                   [&](Light& l) {
-                     if (l.intensity == glm::dvec3(0.0)) l.intensity = glm::dvec3(1.0);
-                     // A cone of no width has no flux.
-                     const double factor = value / value_of(l).value_or(0.0);
-                     if (!std::isfinite(factor)) return;
-                     l.intensity = glm::min(factor * l.intensity, limits::intensity);
-                   });
+      change(tr("Set intensity of %1"), gesture, [&](Light& l) {
+        if (l.intensity == glm::dvec3(0.0)) l.intensity = glm::dvec3(1.0);
+        // A cone of no width has no flux.
+        const double factor = value / value_of(l).value_or(0.0);
+        if (!std::isfinite(factor)) return;
+        l.intensity = glm::min(factor * l.intensity, limits::intensity);
+      });
     };
     return add_number(form, text,
                       {name, domain::not_negative, ValueField::Scale::logarithmic, 0.01, get, set});
@@ -396,10 +397,9 @@ void LightPanel::add_photometric_fields(QFormLayout& form) {
                 return std::round(nearest_temperature(light_color(*light())));
               },
               [this](double value, MergeId gesture) {
-                change_light(document_, document_.active_light(), tr("Set temperature of %1"),
-                             gesture, [value](Light& l) {
-                               l.intensity = light_strength(l) * black_body_color(value);
-                             });
+                change(tr("Set temperature of %1"), gesture, [value](Light& l) {
+                  l.intensity = light_strength(l) * black_body_color(value);
+                });
               }})
       ->setToolTip(
           tr("Makes the colour that of a black body: a candle 1850 K, a light bulb 2700 K, "
@@ -417,8 +417,8 @@ void LightPanel::add_type_field(QFormLayout& form) {
     const auto kind = static_cast<std::size_t>(index);
     if (!light() || kind == light()->kind.index()) return;
     const LitRegion region = LitRegion::of(document_.scene());
-    change_light(document_, document_.active_light(), tr("Change type of %1"), no_merge,
-                 [&](Light& l) { set_kind(l, light_kind(kind), region); });
+    change(tr("Change type of %1"), no_merge,
+           [&](Light& l) { set_kind(l, light_kind(kind), region); });
   });
   on_refresh([this, type] {
     type->setEnabled(light() != nullptr);

@@ -56,6 +56,7 @@ class LightPanel : public SceneForm {
   template <class F>
   void add_value(QFormLayout& form, const F& field);
   void set_value(Light light, const FieldInfo& info, MergeId gesture);
+  void change(const QString& text, MergeId gesture, const std::function<void(Light&)>& how);
   void show_lights();
   [[nodiscard]] LightPlace place() const;
   void show_last();

@@ -34,8 +34,7 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
   transfer_->setToolTip(
       tr("Precomputed self-shadowing and interreflection within the object, of the environment and "
          "of light scattered by fog"));
-  auto* form = new QFormLayout(this);
-  form->setContentsMargins(6, 6, 6, 6);
+  auto* form = new_form();
   form->addRow(tr("Surface"), surfaces_);
   connect(surfaces_, &QComboBox::currentIndexChanged, this, &MaterialPanel::refresh);
   connect(type_, &QComboBox::activated, this, &MaterialPanel::choose_type);

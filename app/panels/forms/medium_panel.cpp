@@ -61,8 +61,7 @@ double derived_extent(const Scene& scene) {
 MediumPanel::MediumPanel(Document& document, Scattering scattering, QWidget* parent)
     : SceneForm(document, parent), scattering_(named(new QComboBox(this), "scattering")) {
   on_change(document_, Change::medium, this, &MediumPanel::refresh);
-  auto* form = new QFormLayout(this);
-  form->setContentsMargins(6, 6, 6, 6);
+  auto* form = new_form();
   add_number(*form, tr("Homogeneous density, 1/u"),
              {"homogeneous_density", domain::density, ValueField::Scale::logarithmic, 0.01,
               [this] { return std::optional(document_.medium().homogeneous_density()); },

@@ -28,8 +28,7 @@ bool has_colors(MetallicRoughnessForm::Slot slot) {
 MetallicRoughnessForm::MetallicRoughnessForm(Document& document, std::function<MaterialRef()> shown,
                                              QWidget* parent)
     : SceneForm(document, parent), shown_(std::move(shown)) {
-  auto* form = new QFormLayout(this);
-  form->setContentsMargins(0, 0, 0, 0);
+  auto* form = new_form(0);
   add_values(*form);
   add_alpha(*form);
   add_texture(*form, tr("Base colour texture"), "base_color_texture",

@@ -15,8 +15,7 @@ class NumbersForm : public SceneForm {
   NumbersForm(Document& document, const QString& prefix, std::function<const Owner*()> get,
               std::function<void(const Owner&)> set, QWidget* parent)
       : SceneForm(document, parent) {
-    auto* form = new QFormLayout(this);
-    form->setContentsMargins(0, 0, 0, 0);
+    auto* form = new_form(0);
     const Fields<Owner> numbers{
         .prefix = prefix,
         .get = std::move(get),

@@ -55,8 +55,7 @@ OutputPanel::OutputPanel(Document& document, const Timeline& timeline,
                          std::function<double()> exposure, QAction* render,
                          QAction* render_animation, QWidget* parent)
     : SceneForm(document, parent), timeline_(timeline), exposure_(std::move(exposure)) {
-  auto* form = new QFormLayout(this);
-  form->setContentsMargins(6, 6, 6, 6);
+  auto* form = new_form();
   add_buttons(*form, render, render_animation);
   add_file(*form);
   add_view(*form);

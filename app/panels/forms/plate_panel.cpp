@@ -66,8 +66,7 @@ QString scene_of(const QVariant& entry) {
 
 PlatePanel::PlatePanel(Document& document, std::function<QString()> camera, QWidget* parent)
     : SceneForm(document, parent), camera_(std::move(camera)) {
-  auto* form = new QFormLayout(this);
-  form->setContentsMargins(0, 0, 0, 0);
+  auto* form = new_form(0);
   auto* choose = named(new QPushButton(this), "plate_picture");
   auto* remove = named(new QToolButton(this), "plate_remove", tr("Removes the plate"));
   remove->setText(QStringLiteral("×"));
@@ -79,9 +78,7 @@ PlatePanel::PlatePanel(Document& document, std::function<QString()> camera, QWid
       {"plate_opacity", domain::unit, ValueField::Scale::linear, 0.005,
        [this] { return plate().file.isEmpty() ? std::nullopt : std::optional(plate().opacity); },
        [this](double opacity, MergeId) {
-         Plate changed = plate();
-         changed.opacity = opacity;
-         set_plate(changed);
+         change([opacity](Plate& plate) { plate.opacity = opacity; });
        }})
       ->setToolTip(tr("0 shows the scene alone, 1 the plate alone"));
   auto* sequence = named(new QCheckBox(tr("Plate of each frame"), this), "plate_sequence",
@@ -93,16 +90,13 @@ PlatePanel::PlatePanel(Document& document, std::function<QString()> camera, QWid
                           "where surfaces are held out (panel Surface)"));
   form->addRow({}, behind);
   connect(behind, &QCheckBox::clicked, this, [this](bool on) {
-    Plate changed = plate();
-    changed.is_behind = on;
-    if (on) changed.opacity = 1.0;
-    set_plate(changed);
+    change([on](Plate& plate) {
+      plate.is_behind = on;
+      if (on) plate.opacity = 1.0;
+    });
   });
-  connect(sequence, &QCheckBox::clicked, this, [this](bool on) {
-    Plate changed = plate();
-    changed.is_sequence = on;
-    set_plate(changed);
-  });
+  connect(sequence, &QCheckBox::clicked, this,
+          [this](bool on) { change([on](Plate& plate) { plate.is_sequence = on; }); });
   on_refresh([this, choose, remove, sequence, behind] {
     const QString file = plate().file;
     choose->setText(file.isEmpty() ? tr("Choose…") : to_qstring(to_path(file).filename()));
@@ -150,8 +144,8 @@ PlatePanel::Plate PlatePanel::plate_of(const CameraKey& camera) const {
   return found == plates_.end() ? Plate() : found->second;
 }
 
-void PlatePanel::set_plate(const Plate& plate) {
-  plates_[camera()] = plate;
+void PlatePanel::change(const std::function<void(Plate&)>& how) {
+  how(plates_[camera()]);
   store();
   show_plate();
 }
@@ -166,7 +160,7 @@ void PlatePanel::set_picture(const std::filesystem::path& file) {
   if (file.empty()) {
     std::erase_if(choices_, [this](const Choice& choice) { return choice.camera == camera(); });
     read_next();
-    return set_plate({});
+    return change([](Plate& plate) { plate = {}; });
   }
   choices_.push_back({camera(), std::filesystem::absolute(file)});
   if (choices_.size() == 1) read_next();

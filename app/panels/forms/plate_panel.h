@@ -56,7 +56,7 @@ class PlatePanel : public SceneForm {
   [[nodiscard]] CameraKey in_use() const;
   [[nodiscard]] Plate plate_of(const CameraKey& camera) const;
   [[nodiscard]] Plate plate() const { return plate_of(camera()); }
-  void set_plate(const Plate& plate);
+  void change(const std::function<void(Plate&)>& how);  // that of the camera
   void restore();
   void store() const;
   void read_next();

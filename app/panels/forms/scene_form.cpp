@@ -18,6 +18,12 @@ SceneForm::SceneForm(Document& document, QWidget* parent) : QWidget(parent), doc
   on_change(document_, Change::scene | Change::part, this, &SceneForm::refresh);
 }
 
+QFormLayout* SceneForm::new_form(int margin) {
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(margin, margin, margin, margin);
+  return form;
+}
+
 void SceneForm::refresh() {
   for (const auto& update : updates_) update();
 }
@@ -37,8 +43,7 @@ ValueField* SceneForm::new_field(const Number& number, const QString& title) {
 
 KeyButton* SceneForm::new_key_button(const QString& name,
                                      std::function<Track(const Scene&)> track) {
-  auto* button = named(new KeyButton(document_, std::move(track), this), name + "_key");
-  return button;
+  return named(new KeyButton(document_, std::move(track), this), name + "_key");
 }
 
 void SceneForm::finish_field(const FieldInfo& info, const QString& name, QWidget& title) {

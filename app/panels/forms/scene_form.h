@@ -60,6 +60,8 @@ class SceneForm : public QWidget {
     std::function<std::optional<glm::dvec3>()> get;
     std::function<void(const glm::dvec3&, MergeId)> set;
   };
+  // Becomes the layout of this widget.
+  QFormLayout* new_form(int margin = 6);
   // Return the title. `keys`: a button at the end of the row.
   QLabel* add_number(QFormLayout& form, const QString& title, const Number& number,
                      KeyButton* keys = nullptr);
