@@ -21,6 +21,14 @@ constexpr qint64 steps_per_second = 30;
 constexpr qint64 max_steps = 20 * steps_per_second;  // at once: the computer may have slept
 constexpr NumberDomain rate_domain{0.0, 1e4, "a number from 0 to 10000"};
 
+// What presets have of a brush as it is, and relative to the distance of the view.
+constexpr std::array kept_by_airbrush{std::pair(&BrushPreset::jitter, &Airbrush::jitter),
+                                      std::pair(&BrushPreset::stretch, &Airbrush::stretch),
+                                      std::pair(&BrushPreset::rate, &Airbrush::rate),
+                                      std::pair(&BrushPreset::spread, &Airbrush::spread)};
+constexpr std::array relative{std::pair(&BrushPreset::speed, &Airbrush::speed),
+                              std::pair(&BrushPreset::wander, &Airbrush::wander)};
+
 qint64 now() {
   return std::chrono::duration_cast<std::chrono::milliseconds>(
              std::chrono::steady_clock::now().time_since_epoch())
@@ -140,43 +148,31 @@ std::optional<Nozzle> AirbrushTool::nozzle_at(double fraction) {
 }
 
 BrushPreset AirbrushTool::preset() const {
-  const double distance = view_distance();
-  BrushPreset preset;
+  BrushPreset preset = common_preset();
   preset.sprays = true;
-  preset.size = airbrush_.radius / distance;
-  preset.depth = std::sqrt(std::numbers::pi) * airbrush_.radius * airbrush_.density;
-  preset.jitter = airbrush_.jitter;
-  preset.stretch = airbrush_.stretch;
-  preset.smoothing = stroke_options().smoothing;
-  preset.rate = airbrush_.rate;
-  preset.speed = airbrush_.speed / distance;
-  preset.spread = airbrush_.spread;
-  preset.wander = airbrush_.wander / distance;
+  for (const auto& [of_preset, of_brush] : kept_by_airbrush)
+    preset.*of_preset = airbrush_.*of_brush;
+  for (const auto& [of_preset, of_brush] : relative) {
+    preset.*of_preset = airbrush_.*of_brush / view_distance();
+  }
   return preset;
 }
 
 void AirbrushTool::apply_preset(const BrushPreset& preset) {
-  apply_stroke_options(preset);
-  const double distance = view_distance();
-  Airbrush airbrush;
-  airbrush.radius = two_digits(preset.size * distance);
-  airbrush.density = two_digits(preset.depth / (std::sqrt(std::numbers::pi) * airbrush.radius));
-  airbrush.jitter = preset.jitter;
-  airbrush.stretch = preset.stretch;
-  airbrush.rate = preset.rate;
-  airbrush.speed = two_digits(preset.speed * distance);
-  airbrush.spread = preset.spread;
-  airbrush.wander = two_digits(preset.wander * distance);
-  set_airbrush(airbrush);
+  airbrush_ = {};
+  for (const auto& [of_preset, of_brush] : kept_by_airbrush)
+    airbrush_.*of_brush = preset.*of_preset;
+  for (const auto& [of_preset, of_brush] : relative) {
+    airbrush_.*of_brush = two_digits(preset.*of_preset * view_distance());
+  }
+  apply_common(preset);
 }
 
 void AirbrushTool::fit_to(double distance) {
-  Airbrush airbrush = airbrush_;
-  airbrush.radius = two_digits(0.04 * distance);
-  airbrush.density = two_digits(0.3 / (std::sqrt(std::numbers::pi) * airbrush.radius));
-  airbrush.speed = two_digits(0.2 * distance);
-  airbrush.wander = two_digits(0.1 * distance);
-  set_airbrush(airbrush);
+  fit_gaussian(0.04 * distance, 0.3);
+  airbrush_.speed = two_digits(0.2 * distance);
+  airbrush_.wander = two_digits(0.1 * distance);
+  Q_EMIT options_changed();
 }
 
 }  // namespace brume

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <optional>
 
 #include "app/commands/edit_groups.h"
@@ -73,8 +74,23 @@ void FogBrushTool::set_stroke_options(const StrokeOptions& options) {
   Q_EMIT options_changed();
 }
 
-void FogBrushTool::apply_stroke_options(const BrushPreset& preset) {
+BrushPreset FogBrushTool::common_preset() const {
+  BrushPreset preset;
+  preset.size = radius() / view_distance();
+  preset.depth = std::sqrt(std::numbers::pi) * radius() * density();
+  preset.smoothing = stroke_options_.smoothing;
+  return preset;
+}
+
+void FogBrushTool::apply_common(const BrushPreset& preset) {
   stroke_options_.smoothing = preset.smoothing;
+  fit_gaussian(preset.size * view_distance(), preset.depth);
+  Q_EMIT options_changed();
+}
+
+void FogBrushTool::fit_gaussian(double radius, double depth) {
+  const double rounded_radius = two_digits(radius);
+  set_gaussian(rounded_radius, two_digits(depth / (std::sqrt(std::numbers::pi) * rounded_radius)));
 }
 
 double FogBrushTool::view_distance() const {

@@ -101,8 +101,11 @@ class FogBrushTool : public BrushTool {
 
   static QString stretch_tip();
 
-  // Sets what all brushes have of a preset.
-  void apply_stroke_options(const BrushPreset& preset);
+  // What all brushes have of a preset, and back.
+  [[nodiscard]] BrushPreset common_preset() const;
+  void apply_common(const BrushPreset& preset);
+  // Sets a radius, to two digits, and the density of an optical depth through the center.
+  void fit_gaussian(double radius, double depth);
   [[nodiscard]] double view_distance() const;
 
   // Derived from the user's seed and the document: reproducible, but different for each stroke.

@@ -10,6 +10,17 @@
 #include "core/number_domain.h"
 
 namespace brume {
+namespace {
+
+// What presets have of a brush as it is.
+constexpr std::array kept_by_paintbrush{std::pair(&BrushPreset::jitter, &Paintbrush::jitter),
+                                        std::pair(&BrushPreset::stretch, &Paintbrush::stretch),
+                                        std::pair(&BrushPreset::spacing, &Paintbrush::spacing),
+                                        std::pair(&BrushPreset::scatter, &Paintbrush::scatter),
+                                        std::pair(&BrushPreset::falloff, &Paintbrush::falloff),
+                                        std::pair(&BrushPreset::flow, &Paintbrush::flow)};
+
+}  // namespace
 PaintbrushTool::PaintbrushTool(Document& document, View& view) : FogBrushTool(document, view) {
   PaintbrushTool::fit_to(target_distance(document.scene().camera));
 }
@@ -80,39 +91,21 @@ void PaintbrushTool::extend_stroke(std::span<const QPointF> curve) {
 }
 
 BrushPreset PaintbrushTool::preset() const {
-  BrushPreset preset;
-  preset.size = brush_.radius / view_distance();
-  preset.depth = std::sqrt(std::numbers::pi) * brush_.radius * brush_.density;
-  preset.jitter = brush_.jitter;
-  preset.stretch = brush_.stretch;
-  preset.smoothing = stroke_options().smoothing;
-  preset.spacing = brush_.spacing;
-  preset.scatter = brush_.scatter;
-  preset.falloff = brush_.falloff;
-  preset.flow = brush_.flow;
+  BrushPreset preset = common_preset();
+  for (const auto& [of_preset, of_brush] : kept_by_paintbrush) preset.*of_preset = brush_.*of_brush;
   return preset;
 }
 
 void PaintbrushTool::apply_preset(const BrushPreset& preset) {
-  apply_stroke_options(preset);
-  Paintbrush brush;
-  brush.radius = two_digits(preset.size * view_distance());
-  brush.density = two_digits(preset.depth / (std::sqrt(std::numbers::pi) * brush.radius));
-  brush.jitter = preset.jitter;
-  brush.stretch = preset.stretch;
-  brush.spacing = preset.spacing;
-  brush.scatter = preset.scatter;
-  brush.falloff = preset.falloff;
-  brush.flow = preset.flow;
-  set_brush(brush);
+  brush_ = {};
+  for (const auto& [of_preset, of_brush] : kept_by_paintbrush) brush_.*of_brush = preset.*of_preset;
+  apply_common(preset);
 }
 
+// Optical depth 1 through a few overlapping Gaussians.
 void PaintbrushTool::fit_to(double distance) {
-  Paintbrush brush = brush_;
-  brush.radius = two_digits(0.06 * distance);
-  // Optical depth 1 through a few overlapping Gaussians.
-  brush.density = two_digits(0.5 / (std::sqrt(std::numbers::pi) * brush.radius));
-  set_brush(brush);
+  fit_gaussian(0.06 * distance, 0.5);
+  Q_EMIT options_changed();
 }
 
 }  // namespace brume
