@@ -74,6 +74,18 @@ QImage layer_image(const PictureLayer& layer, const Picture& picture) {
   return frame_image(frame, layer.name == distance_layer ? DisplayLook() : picture.look);
 }
 
+// A picture without radiance and layers.
+Picture head_of(const Picture& picture) {
+  return {.name = picture.name,
+          .details = picture.details,
+          .width = picture.width,
+          .height = picture.height,
+          .rgb = {},
+          .look = picture.look,
+          .image = {},
+          .layers = {}};
+}
+
 bool have_same_size(const Picture& a, const Picture& b) {
   return a.width == b.width && a.height == b.height;
 }
@@ -93,13 +105,8 @@ std::size_t layer_bytes(const Picture& picture) {
 }
 
 std::shared_ptr<const Picture> without_layers(const Picture& picture) {
-  auto result = std::make_shared<Picture>();
-  result->name = picture.name;
-  result->details = picture.details;
-  result->width = picture.width;
-  result->height = picture.height;
+  auto result = std::make_shared<Picture>(head_of(picture));
   result->rgb = picture.rgb;
-  result->look = picture.look;
   result->image = picture.image;
   return result;
 }
@@ -125,12 +132,7 @@ std::shared_ptr<const Picture> make_picture(const Frame& frame, const DisplayLoo
 std::shared_ptr<const Picture> layer_picture(const Picture& picture, const QString& name) {
   const auto layer = std::ranges::find(picture.layers, name, &PictureLayer::name);
   if (layer == picture.layers.end()) return nullptr;
-  auto result = std::make_shared<Picture>();
-  result->name = picture.name;
-  result->details = picture.details;
-  result->width = picture.width;
-  result->height = picture.height;
-  result->look = picture.look;
+  auto result = std::make_shared<Picture>(head_of(picture));
   const int copies = layer->channels == 1 ? 3 : 1;  // greys
   result->rgb.reserve(layer->values.size() * static_cast<std::size_t>(copies));
   for (const float value : layer->values) {

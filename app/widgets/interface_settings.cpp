@@ -88,47 +88,45 @@ void InterfaceSettings::load() {
   Q_EMIT changed();
 }
 
+void InterfaceSettings::store(const char* key, const QVariant& value) {
+  QSettings().setValue(key, value);
+  Q_EMIT changed();
+}
+
 void InterfaceSettings::set_language(Language language) {
   language_ = language;
-  QSettings().setValue(language_key, languages.at(static_cast<std::size_t>(language)));
-  Q_EMIT changed();
+  store(language_key, languages.at(static_cast<std::size_t>(language)));
 }
 
 void InterfaceSettings::set_interface_scale(double scale) {
   interface_scale_ = clamped_scale(scale);
-  QSettings().setValue(scale_key, interface_scale_);
-  Q_EMIT changed();
+  store(scale_key, interface_scale_);
 }
 
 void InterfaceSettings::set_undo_limit(int steps) {
   undo_limit_ = clamped_undo_limit(steps);
-  QSettings().setValue(undo_key, undo_limit_);
-  Q_EMIT changed();
+  store(undo_key, undo_limit_);
 }
 
 void InterfaceSettings::set_frame_memory(int megabytes) {
   frame_memory_ = clamped_frame_memory(megabytes);
-  QSettings().setValue(frames_key, frame_memory_);
-  Q_EMIT changed();
+  store(frames_key, frame_memory_);
 }
 
 void InterfaceSettings::set_length_unit(const QString& unit) {
   length_unit_ = unit.simplified().left(max_unit_length);
-  QSettings().setValue(unit_key, length_unit_);
-  Q_EMIT changed();
+  store(unit_key, length_unit_);
 }
 
 void InterfaceSettings::set_color_numbers(ColorNumbers numbers) {
   color_numbers_ = numbers;
-  QSettings().setValue(colors_key, numbers == ColorNumbers::linear ? "linear" : "srgb");
-  Q_EMIT changed();
+  store(colors_key, numbers == ColorNumbers::linear ? "linear" : "srgb");
 }
 
 void InterfaceSettings::set_handle_scale(double scale) {
   chosen_handle_scale_ = scale;
-  QSettings().setValue(handles_key, scale);
   update_handle_scale();
-  Q_EMIT changed();
+  store(handles_key, scale);
 }
 
 void InterfaceSettings::update_handle_scale() {

@@ -59,6 +59,7 @@ class InterfaceSettings : public QObject {
 
  private:
   InterfaceSettings() { load(); }
+  void store(const char* key, const QVariant& value);
   void update_handle_scale();
 
   QString length_unit_;

@@ -310,25 +310,22 @@ bool Outliner::event(QEvent* event) {
 
 void Outliner::keyPressEvent(QKeyEvent* event) {
   if (is_typed(*event)) return QTreeWidget::keyPressEvent(event);  // which searches names
-  const std::optional<ObjectRef> object = object_of(currentItem());
-  if (currentItem() == gaussians_ && is_key_of("edit.delete", *event)) {
-    return delete_selection(document_, tr("Delete"));
+  const bool deletes = is_key_of("edit.delete", *event);
+  const bool duplicates = is_key_of("edit.duplicate", *event);
+  const bool renames = is_key_of("edit.rename", *event);
+  if (currentItem() == gaussians_ && deletes) return delete_selection(document_, tr("Delete"));
+  if (const auto object = object_of(currentItem())) {
+    if (deletes) return delete_object(document_, *object);
+    if (duplicates) return duplicate_object(document_, *object);
   }
-  if (object && is_key_of("edit.delete", *event)) return delete_object(document_, *object);
-  if (object && is_key_of("edit.duplicate", *event)) return duplicate_object(document_, *object);
-  if (const auto group = group_of(currentItem())) {
-    if (is_key_of("edit.delete", *event)) return delete_group(document_, *group);
-    if (is_key_of("edit.rename", *event)) return editItem(currentItem(), name_column);
-  }
-  if (const auto spline = spline_of(currentItem())) {
-    if (is_key_of("edit.delete", *event)) return delete_spline(document_, *spline);
-    if (is_key_of("edit.rename", *event)) return editItem(currentItem(), name_column);
-  }
-  if (const auto camera = camera_of(currentItem())) {
-    if (is_key_of("edit.delete", *event)) return cameras_->remove(*camera);
-    if (is_key_of("edit.duplicate", *event)) return cameras_->duplicate(*camera);
-    if (is_key_of("edit.rename", *event)) return editItem(currentItem(), name_column);
-  }
+  const auto group = group_of(currentItem());
+  const auto spline = spline_of(currentItem());
+  const auto camera = camera_of(currentItem());
+  if (group && deletes) return delete_group(document_, *group);
+  if (spline && deletes) return delete_spline(document_, *spline);
+  if (camera && deletes) return cameras_->remove(*camera);
+  if (camera && duplicates) return cameras_->duplicate(*camera);
+  if ((group || spline || camera) && renames) return editItem(currentItem(), name_column);
   QTreeWidget::keyPressEvent(event);
 }
 
