@@ -84,11 +84,7 @@ void drop_asset(TestWindow& window, const QString& name, QPoint position) {
   const std::unique_ptr<QMimeData> data(
       list(window).model()->mimeData({list(window).indexFromItem(item)}));
   const QPoint place = window.view().mapTo(&*window, position);
-  QDragEnterEvent enter(place, Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(&*window, &enter);
-  QVERIFY(enter.isAccepted());
-  QDropEvent event(place, Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(&*window, &event);
+  QVERIFY(drop_at(window, place, *data));
   QCOMPARE(wait(window), "");
 }
 

@@ -54,8 +54,7 @@ class AutosaveTest : public QObject {
 
  private Q_SLOTS:
   void unsaved_work_is_backed_up_until_saved() {
-    const QTemporaryDir temporary;
-    const fs::path folder = to_path(temporary.path());
+    const TestFolder folder;
     Document document;
     Autosave autosave(document, folder / "recovery", nullptr);
     save(autosave);
@@ -78,8 +77,7 @@ class AutosaveTest : public QObject {
   }
 
   void sessions_do_not_meet() {
-    const QTemporaryDir temporary;
-    const fs::path folder = to_path(temporary.path());
+    const TestFolder folder;
     Document one;
     Document two;
     Autosave first(one, folder, nullptr);
@@ -100,8 +98,8 @@ class AutosaveTest : public QObject {
   }
 
   void a_full_disk_is_reported_once() {
-    const QTemporaryDir temporary;
-    const fs::path folder = to_path(temporary.path()) / "recovery";
+    const TestFolder temporary;
+    const fs::path folder = temporary / "recovery";
     Document document;
     Autosave autosave(document, folder, nullptr);
     QSignalSpy failed(&autosave, &Autosave::failed);
@@ -152,8 +150,8 @@ class AutosaveTest : public QObject {
 
   // The editor has the last copy of a file that was removed.
   void a_signal_ends_the_program_once_its_copy_is_written() {
-    const QTemporaryDir folder;
-    const fs::path file = to_path(folder.path()) / "scene.brume";
+    const TestFolder folder;
+    const std::filesystem::path file = folder / "scene.brume";
     save_document(tiny_scene(), file);
     QProcess editor;
     editor.setProcessChannelMode(QProcess::ForwardedChannels);
@@ -174,8 +172,7 @@ class AutosaveTest : public QObject {
   }
 
   void a_waiting_state_is_written_at_once() {
-    const QTemporaryDir temporary;
-    const fs::path folder = to_path(temporary.path());
+    const TestFolder folder;
     Document document;
     Autosave autosave(document, folder, nullptr);
     Medium medium;
@@ -217,8 +214,8 @@ class AutosaveTest : public QObject {
   }
 
   void recovery_files_are_private() {
-    const QTemporaryDir temporary;
-    const fs::path folder = to_path(temporary.path()) / "data/recovery";
+    const TestFolder temporary;
+    const fs::path folder = temporary / "data/recovery";
     fs::create_directories(folder);  // as an older version left them: 0755, 0644
     leave_behind(folder, small_scene(), "/nowhere/fog.brume");
     Document document;
@@ -252,8 +249,7 @@ class AutosaveTest : public QObject {
   }
 
   void old_recovery_files_are_removed() {
-    const QTemporaryDir temporary;
-    const fs::path folder = to_path(temporary.path());
+    const TestFolder folder;
     Document document;
     Autosave autosave(document, folder, nullptr);
     leave_behind(folder, small_scene(), "/nowhere/fog.brume");
@@ -275,8 +271,7 @@ class AutosaveTest : public QObject {
   }
 
   void stale_session_files_are_removed() {
-    const QTemporaryDir temporary;
-    const fs::path folder = to_path(temporary.path());
+    const TestFolder folder;
     Document document;
     Autosave autosave(document, folder, nullptr);
     leave_behind(folder, small_scene(), {});

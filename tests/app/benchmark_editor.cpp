@@ -129,7 +129,7 @@ class Benchmark {
     select_gaussians(document, {});
     table->sortByColumn(3, Qt::AscendingOrder);
     settle();
-    window.findChild<QAction*>("tool.paintbrush")->trigger();
+    invoke(window, "tool.paintbrush");
     settle();
     measure("paintbrush: where it would paint", 20,
             [&](int k) { QTest::mouseMove(&view, position(k)); });
@@ -162,36 +162,28 @@ class Benchmark {
 
     auto* tree = window.findChild<QTreeWidget*>("outliner_tree");
     const auto click = [tree](int row, int column) {
-      QTreeWidgetItem* item = tree->topLevelItem(0)->child(row + 1);
-      tree->scrollToItem(item);
-      const int x = tree->columnViewportPosition(column) + tree->columnWidth(column) / 2;
       QTest::mouseClick(tree->viewport(), Qt::LeftButton, {},
-                        {x, tree->visualItemRect(item).center().y()});
+                        cell_position(*tree, tree->topLevelItem(0)->child(row + 1), column));
     };
     measure("eye of a group", 10, [&](int k) { click(k / 2, 1); });
     measure("lock of a group", 10, [&](int k) { click(k / 2, 2); });
     measure("select a group", 10, [&](int k) { click(k, 0); });
     auto* title = window.findChild<QWidget*>("group_density_factor_title");
     QTest::mousePress(title, Qt::LeftButton, {}, {2, 2});
-    measure("drag a factor of a group", 20, [&](int k) {
-      const QPointF at(6 + 4 * k, 2);
-      QMouseEvent move(QEvent::MouseMove, at, title->mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
-                       {});
-      QApplication::sendEvent(title, &move);
-    });
+    measure("drag a factor of a group", 20,
+            [&](int k) { move_mouse(*title, QPointF(6 + 4 * k, 2)); });
     QTest::mouseRelease(title, Qt::LeftButton, {}, {90, 2});
     stroke(window, "paintbrush", "paintbrush into a group: a step");
     measure("undo the stroke", 1, [&](int) { window.document().undo_stack().undo(); });
     stroke(window, "eraser", "eraser: a step");
     measure("undo the stroke", 1, [&](int) { window.document().undo_stack().undo(); });
-    const auto menu = [&window](const char* name) { window.findChild<QAction*>(name)->trigger(); };
     measure("group the selection", 3, [&](int k) {
       click(k, 0);
-      menu("select.group");
+      invoke(window, "select.group");
     });
     measure("ungroup the selection", 3, [&](int k) {
       click(k, 0);
-      menu("select.ungroup");
+      invoke(window, "select.ungroup");
     });
     measure("undo these", 6, [&](int) { window.document().undo_stack().undo(); });
     click(3, 0);
@@ -211,20 +203,12 @@ class Benchmark {
 
   void stroke(MainWindow& window, const char* name, const char* title) {
     ToolBox& tools = window.tools();
-    for (std::size_t k = 0; k < tools.entries().size(); ++k) {
-      if (tools.entries()[k].name == name) tools.activate(k);
-    }
+    tools.activate(name);
     Viewport& view = window.viewport();
     const QPoint start = view.rect().center() - QPoint(100, 0);
     QTest::mousePress(&view, Qt::LeftButton, {}, start);
     settle();
-    measure(title, 20, [&](int k) {
-      const QPointF at = start + QPoint(10 * k, 4 * (k % 3));
-      QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
-                       {});
-      QApplication::sendEvent(&view, &move);
-      view.finish_input();
-    });
+    measure(title, 20, [&](int k) { move_mouse(view, start + QPoint(10 * k, 4 * (k % 3))); });
     QTest::mouseRelease(&view, Qt::LeftButton, {}, start);
     settle();
     tools.activate(0);

@@ -111,27 +111,18 @@ class Gestures {
     gesture("erase", Qt::LeftButton, middle);
     choose("move");
     select_gaussians(window_.document(), some_ids());
-    gesture("drag up to 1,000 selected", Qt::LeftButton, [this] {
-      const glm::dvec3 pivot = view_.rays().project(view_.pivot());
-      return QPointF(pivot.x, pivot.y).toPoint();
-    });
+    gesture("drag up to 1,000 selected", Qt::LeftButton,
+            [this] { return film_position(view_, view_.pivot()); });
     select_gaussians(window_.document(), {});
     choose("select");
-    gesture("drag a light", Qt::LeftButton, [this] {
-      const glm::dvec3 light = view_.rays().project(window_.document().scene().lights[0].position);
-      return QPointF(light.x, light.y).toPoint();
-    });
+    gesture("drag a light", Qt::LeftButton,
+            [this] { return film_position(view_, window_.document().scene().lights[0].position); });
     play();
     window_.document().undo_stack().clear();
   }
 
  private:
-  void choose(const char* name) {
-    const auto& entries = window_.tools().entries();
-    for (std::size_t k = 0; k < entries.size(); ++k) {
-      if (entries[k].name == name) window_.tools().activate(k);
-    }
-  }
+  void choose(const char* name) { window_.tools().activate(name); }
 
   // Those nearest to what the camera looks at.
   [[nodiscard]] std::vector<GaussianId> some_ids() const {
@@ -164,12 +155,6 @@ class Gestures {
     return 1e-6 * static_cast<double>(timer.nsecsElapsed());
   }
 
-  void send_move(QPointF at, Qt::MouseButton button) {
-    QMouseEvent move(QEvent::MouseMove, at, view_.mapToGlobal(at), Qt::NoButton, button, {});
-    QApplication::sendEvent(&view_, &move);
-    view_.finish_input();
-  }
-
   void gesture(const char* name, Qt::MouseButton button, const std::function<QPoint()>& place) {
     constexpr int duration = 2000;  // milliseconds
     difference_.reset();
@@ -183,7 +168,7 @@ class Gestures {
       QTest::mouseMove(&view_, start);
       QTest::mousePress(&view_, button, {}, start);
       QCoreApplication::processEvents();
-      send_move(start + QPoint(6, 2), button);
+      move_mouse(view_, start + QPoint(6, 2), button);
       first.push_back(next_picture());
       QElapsedTimer timer;
       timer.start();
@@ -192,7 +177,8 @@ class Gestures {
       while (timer.elapsed() < duration) {
         ++step;
         // Wide loops: a brush paints all along them.
-        send_move(
+        move_mouse(
+            view_,
             start + QPointF(6 + 200.0 * std::sin(0.15 * step), 2 + 90.0 * std::sin(0.1 * step)),
             button);
         QTest::qWait(8);

@@ -96,9 +96,7 @@ QString library_text() {
 void write_library(const QByteArray& text) {
   const std::filesystem::path path = BrushLibrary::default_file();
   std::filesystem::create_directories(path.parent_path());
-  QFile file(QString::fromStdString(path.string()));
-  QVERIFY(file.open(QIODevice::WriteOnly));
-  file.write(text);
+  write_text(path, text.toStdString());
 }
 
 }  // namespace

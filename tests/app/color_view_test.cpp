@@ -33,12 +33,6 @@ QImage shown(TestWindow& window) {
   return to_picture(frames.shown()->frame, frames.display(), ViewMode::final);
 }
 
-void write(const std::filesystem::path& path, const char* text) {
-  QFile file(to_qstring(path));
-  if (!file.open(QIODevice::WriteOnly)) qFatal("no file");
-  file.write(text);
-}
-
 }  // namespace
 
 class ColorViewTest : public QObject {
@@ -78,7 +72,7 @@ class ColorViewTest : public QObject {
   void a_configuration_of_the_environment_is_offered() {
     TestWindow window;
     const std::filesystem::path config = window.file("studio.ocio");
-    write(config, halving_config);
+    write_text(config, halving_config);
     qputenv("OCIO", config.c_str());
     QVERIFY(entry(window, "plain") && entry(window, "half"));
     QVERIFY(entry(window, "ACES 1.0"));  // beside it
@@ -102,7 +96,7 @@ class ColorViewTest : public QObject {
   void a_broken_configuration_says_so() {
     TestWindow window;
     const std::filesystem::path config = window.file("broken.ocio");
-    write(config, "{{{");
+    write_text(config, "{{{");
     qputenv("OCIO", config.c_str());
     QAction* told = entry(window, "The configuration cannot be read");
     QVERIFY(told && !told->isEnabled());

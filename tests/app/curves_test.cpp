@@ -219,17 +219,12 @@ class CurvesTest : public QObject {
     const QPointF first = editor.position(1.0, 10.0);
     const QPointF last = editor.position(3.0, 60.0);
     QVERIFY(editor.rect().contains(first.toPoint()) && editor.rect().contains(last.toPoint()));
-    const auto wheel = [&](Qt::KeyboardModifiers modifiers) {
-      QWheelEvent event(first, editor.mapToGlobal(first), {}, {0, 240}, Qt::NoButton, modifiers,
-                        Qt::NoScrollPhase, false);
-      QApplication::sendEvent(&editor, &event);
-    };
-    wheel(Qt::NoModifier);
+    turn_wheel(editor, first, 240);
     QVERIFY(QLineF(editor.position(1.0, 10.0), first).length() < 1e-6);
     QVERIFY(editor.position(3.0, 60.0).x() > last.x());
     QVERIFY(editor.position(3.0, 60.0).y() < last.y());
     const double x = editor.position(3.0, 60.0).x();
-    wheel(Qt::ControlModifier);
+    turn_wheel(editor, first, 240, Qt::ControlModifier);
     QCOMPARE(editor.position(3.0, 60.0).x(), x);
     curves.drag(QPoint(100, 50), QPoint(130, 40), Qt::MiddleButton);
     QVERIFY(QLineF(editor.position(1.0, 10.0), first + QPointF(30, -10)).length() < 1e-6);

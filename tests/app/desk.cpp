@@ -69,6 +69,7 @@ Desk::Desk(const Scene& scene)
     : view_(new DeskView(document_, surfaces_, this)),
       tools_(new ToolBox(
           document_, *view_, [this](Tool* tool) { view_->set_tool(tool); }, this)) {
+  use_mouse_in(*view_, *view_);
   auto* contributions = new ContributionPanel(document_, this);
   connect(view_, &DeskView::pointed_at, contributions,
           [this, contributions](QPointF position) { contributions->inspect(*view_, position); });
@@ -164,26 +165,6 @@ void Desk::open(const char* name) {
 
 bool Desk::picks() {
   return QTest::qWaitFor([this] { return surfaces_.is_ready(); }, patience);
-}
-
-void Desk::click(QPoint position, Qt::KeyboardModifiers modifiers) {
-  QTest::mouseClick(view_, Qt::LeftButton, modifiers, position);
-}
-
-void Desk::press(QPoint position, Qt::KeyboardModifiers modifiers) {
-  QTest::mousePress(view_, Qt::LeftButton, modifiers, position);
-}
-
-void Desk::release(QPoint position, Qt::KeyboardModifiers modifiers) {
-  QTest::mouseRelease(view_, Qt::LeftButton, modifiers, position);
-}
-
-void Desk::move(QPointF to, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
-  move_mouse(*view_, to, button, modifiers);
-}
-
-void Desk::drag(QPoint from, QPoint to, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
-  drag_mouse(*view_, from, to, button, modifiers);
 }
 
 void Desk::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {

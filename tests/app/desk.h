@@ -41,7 +41,7 @@ class DeskView : public QWidget, public View {
 // panels and tools do is tested here in a tenth of the time. Keys are those of tools and of undo.
 // Each desk saves in the end what it has, which has to come back from the file; undoes everything,
 // which has to give the scene as it was opened; and redoes it.
-class Desk : public QWidget {
+class Desk : public QWidget, public ViewMouse {
   Q_OBJECT
  public:
   explicit Desk(const Scene& scene = small_scene());
@@ -59,15 +59,7 @@ class Desk : public QWidget {
   // Waits until surfaces can be picked.
   bool picks();
 
-  // The left button, in the view.
-  void click(QPoint position, Qt::KeyboardModifiers modifiers = {});
-  void press(QPoint position, Qt::KeyboardModifiers modifiers = {});
-  void release(QPoint position, Qt::KeyboardModifiers modifiers = {});
-  QPoint handle(std::size_t index) { return brume::handle_position(*view_, index); }
-  void move(QPointF to, Qt::MouseButton button = Qt::LeftButton,
-            Qt::KeyboardModifiers modifiers = Qt::NoModifier);
-  void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
-            Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+  using ViewMouse::move;
   void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
 
  private:

@@ -24,9 +24,7 @@ namespace {
 
 // The small scene before a floor and with something of it below.
 Scene scene_with_floor(const std::filesystem::path& mesh) {
-  QFile file(mesh);
-  if (!file.open(QIODevice::WriteOnly)) qFatal("no file");
-  file.write("OFF\n4 1 0\n-5 -0.7 -5\n5 -0.7 -5\n5 -0.7 5\n-5 -0.7 5\n4 3 2 1 0\n");
+  write_text(mesh, "OFF\n4 1 0\n-5 -0.7 -5\n5 -0.7 -5\n5 -0.7 5\n-5 -0.7 5\n4 3 2 1 0\n");
   Scene scene = small_scene();
   scene.surfaces.emplace_back().mesh_file = mesh;
   return scene;
@@ -171,16 +169,13 @@ class DisplayTest : public QObject {
     }));
     QVERIFY(window.settle());
     // Nobody asks for it where no handles are to be seen.
-    ToolBox& tools = window->tools();
-    for (std::size_t k = 0; k < tools.entries().size(); ++k) {
-      if (tools.entries()[k].name == "paintbrush") tools.activate(k);
-    }
+    window->tools().activate("paintbrush");
     QVERIFY(window.see_motion([&](const RenderedFrame& frame) {
       QVERIFY(frame.on_device && frame.frame.depth.empty());
       QVERIFY(!has_stage(frame, Stage::read_depth));
     }));
     QVERIFY(window.settle());
-    tools.activate(0);
+    window->tools().activate(0);
   }
 
   void exposure_and_mode_can_change_in_motion() {

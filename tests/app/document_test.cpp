@@ -24,11 +24,8 @@ void load(Document& document, const QTemporaryDir& folder, const Scene& scene) {
 // Puts the centres of Gaussians elsewhere, as one move of a drag.
 void move_gaussians(Document& document, const std::vector<GaussianId>& ids,
                     std::span<const glm::dvec3> centers, MergeId drag) {
-  std::vector<Gaussian> after;
-  for (std::size_t k = 0; k < ids.size(); ++k) {
-    after.push_back(document.medium().gaussian(*document.medium().index_of(ids[k])));
-    after.back().center = centers[k];
-  }
+  std::vector<Gaussian> after = document.gaussians(ids);
+  for (std::size_t k = 0; k < ids.size(); ++k) after[k].center = centers[k];
   change_gaussians(document, ids, after, "Move " + gaussians_text(ids.size()), drag);
 }
 
@@ -84,8 +81,8 @@ class DocumentTest : public QObject {
   }
 
   void unknown_keys_follow_a_light_through_deletion_and_undo() {
-    const QTemporaryDir folder;
-    const auto file = std::filesystem::path(folder.path().toStdString()) / "scene.brume";
+    const TestFolder folder;
+    const std::filesystem::path file = folder / "scene.brume";
     SceneDocument loaded = small_scene();
     loaded.scene.lights.assign(3, Light{});
     for (const int k : {0, 2}) {
@@ -108,8 +105,8 @@ class DocumentTest : public QObject {
 
   // Whatever the editor takes, files can hold.
   void accepted_values_round_trip() {
-    const QTemporaryDir folder;
-    const auto file = std::filesystem::path(folder.path().toStdString()) / "edited.brume";
+    const TestFolder folder;
+    const std::filesystem::path file = folder / "edited.brume";
     Document document;
     const auto comes_back = [&] {
       document.save(file);

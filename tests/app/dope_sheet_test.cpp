@@ -286,9 +286,7 @@ class DopeSheetTest : public QObject {
     Desk desk(two_keyed_lights());
     auto& ruler = *desk.findChild<TimeRuler*>("frame_ruler");
     const QPointF mouse(ruler.scale().x_of(60), 8.0);
-    QWheelEvent wheel(mouse, ruler.mapToGlobal(mouse), {}, {0, 480}, Qt::NoButton, {},
-                      Qt::NoScrollPhase, false);
-    QApplication::sendEvent(&ruler, &wheel);
+    turn_wheel(ruler, mouse, 480);
     QVERIFY(desk.timeline().shown().first > 10.0 && desk.timeline().shown().last < 110.0);
     QVERIFY(std::abs(ruler.scale().x_of(60) - mouse.x()) < 1e-6);
     drag_mouse(ruler, {100, 8}, {130, 8}, Qt::MiddleButton);

@@ -83,17 +83,12 @@ class Pictures {
     return {widget->mapTo(&window_, QPoint(0, 0)), widget->size()};
   }
 
-  void act(const char* action) { window_.findChild<QAction*>(action)->trigger(); }
+  void act(const char* action) { invoke(window_, action); }
   void hover(QPoint at) { QTest::mouseMove(&view(), at); }
-  void move(QPoint to) {
-    QMouseEvent event(QEvent::MouseMove, QPointF(to), view().mapToGlobal(QPointF(to)), Qt::NoButton,
-                      Qt::LeftButton, {});
-    QApplication::sendEvent(&view(), &event);
-  }
   void stroke(const std::vector<QPoint>& path, int pause) {
     QTest::mousePress(&view(), Qt::LeftButton, {}, path.front());
     for (const QPoint at : path) {
-      move(at);
+      move_mouse(view(), at);
       QTest::qWait(pause);
     }
   }
@@ -124,8 +119,7 @@ class Pictures {
       if (name == "select" || turns) {
         document.select(some);
         settle();
-        const glm::dvec3 at = view().rays().project(view().pivot());
-        hover(QPointF(at.x, at.y).toPoint());
+        hover(film_position(view(), view().pivot()));
         take("tool_" + name, tool_part());
       } else {
         document.select({});

@@ -17,6 +17,7 @@
 #include "app/window/pages/message_bar.h"
 #include "core/io/scene/scene_file.h"
 #include "tests/app/desk.h"
+#include "tests/app/file_jobs.h"
 #include "tests/app/question.h"
 #include "tests/app/test_window.h"
 
@@ -255,14 +256,7 @@ class EditorTest : public QObject {
   void a_dropped_scene_opens() {
     TestWindow window;
     QVERIFY(window->files().create());
-    QMimeData data;
-    data.setUrls(
-        {QUrl::fromLocalFile(QString::fromStdString(window.file("scene.brume").string()))});
-    QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&*window, &enter);
-    QVERIFY(enter.isAccepted());
-    QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&*window, &drop);
+    drop(window, {window.file("scene.brume")});
     QTRY_COMPARE(window->document().medium().size(), 5u);
   }
 

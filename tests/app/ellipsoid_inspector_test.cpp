@@ -21,9 +21,7 @@ void drag_in_steps(
   QPointF to(3, 3);
   for (int k = 0; k < std::abs(steps); ++k) {
     to.rx() += steps > 0 ? 40 : -40;
-    QMouseEvent move(QEvent::MouseMove, to, title->mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
-                     Qt::NoModifier);
-    QApplication::sendEvent(title, &move);
+    move_mouse(*title, to);
     check();
   }
   QTest::mouseRelease(title, Qt::LeftButton, {}, to.toPoint());

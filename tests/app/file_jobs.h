@@ -33,11 +33,7 @@ inline void drop(TestWindow& window, const std::vector<std::filesystem::path>& f
   QMimeData data;
   for (const std::filesystem::path& file : files) urls << QUrl::fromLocalFile(to_qstring(file));
   data.setUrls(urls);
-  QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(&*window, &enter);
-  QVERIFY(enter.isAccepted());
-  QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(&*window, &event);
+  QVERIFY(drop_at(window, {10, 10}, data));
 }
 // Imports them as if they had fallen onto the window.
 inline void drop(FileDesk& desk, const std::vector<std::filesystem::path>& files) {

@@ -27,10 +27,6 @@ namespace {
 
 constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-void write_text(const fs::path& file, const std::string& text) {
-  std::ofstream(file) << text;
-}
-
 MessageBar& bar_of(TestWindow& window) {
   return *window->findChild<MessageBar*>();
 }

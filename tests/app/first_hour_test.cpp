@@ -23,6 +23,7 @@
 #include "app/window/pages/start_page.h"
 #include "core/io/scene/scene_file.h"
 #include "core/scene/animation/animation.h"
+#include "tests/app/file_jobs.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -43,15 +44,6 @@ class Hour : public TestWindow {
     QTest::qWait(100);  // the start page lays itself out twice
     QVERIFY((*this)->grab().save(
         QString("%1/%2_%3.png").arg(folder).arg(++step_, 2, 10, QChar('0')).arg(name)));
-  }
-  void drop(const QString& file) {
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(file)});
-    QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&**this, &enter);
-    QVERIFY(enter.isAccepted());
-    QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&**this, &event);
   }
   void command(const QString& words) {
     key(Qt::Key_F3);
@@ -103,7 +95,7 @@ class FirstHourTest : public QObject {
     hour.picture("room");
 
     // A model, made smaller by a number and moved by its handles.
-    hour.drop(BRUME_RESOURCES "/meshes/teapot.obj");
+    drop(hour, {BRUME_RESOURCES "/meshes/teapot.obj"});
     QTRY_COMPARE(hour.scene().surfaces.size(), surfaces + 1);
     const ObjectRef pot{ObjectRef::Kind::surface, surfaces};
     auto* tree = hour->findChild<QTreeWidget*>("outliner_tree");
@@ -140,7 +132,7 @@ class FirstHourTest : public QObject {
       hour.drag(sun, sun + QPoint(40, 10));
       QVERIFY(hour.scene().lights.back().position != old_place);
     }
-    hour.drop(BRUME_RESOURCES "/environments/sunset.exr");
+    drop(hour, {BRUME_RESOURCES "/environments/sunset.exr"});
     QTRY_VERIFY(hour.scene().environment.has_value());
     hour.picture("lights_and_sky");
 

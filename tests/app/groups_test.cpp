@@ -30,13 +30,7 @@ void drop(GroupsDesk& desk, QTreeWidgetItem* row, const QString& onto) {
   tree.setCurrentItem(row);
   const std::unique_ptr<QMimeData> data(tree.model()->mimeData({tree.currentIndex()}));
   if (!data) return;
-  const QPoint at = desk.position(onto);
-  QDragEnterEvent enter(at, Qt::CopyAction, data.get(), Qt::LeftButton, {});
-  QApplication::sendEvent(tree.viewport(), &enter);
-  QDragMoveEvent move(at, Qt::CopyAction, data.get(), Qt::LeftButton, {});
-  QApplication::sendEvent(tree.viewport(), &move);
-  QDropEvent event(at, Qt::CopyAction, data.get(), Qt::LeftButton, {});
-  QApplication::sendEvent(tree.viewport(), &event);
+  drop_at(*tree.viewport(), desk.position(onto), *data);
   QCoreApplication::processEvents();
 }
 

@@ -85,8 +85,8 @@ class HistoryTest : public QObject {
 
   // Saving in the middle, and what the file then holds, changes nothing about that.
   void saving_keeps_the_history() {
-    const QTemporaryDir folder;
-    const auto file = std::filesystem::path(folder.path().toStdString()) / "saved.brume";
+    const TestFolder folder;
+    const std::filesystem::path file = folder / "saved.brume";
     for (unsigned seed = 1; seed <= 50; ++seed) {
       Document document;
       document.open(starting_document(), {});

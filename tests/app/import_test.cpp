@@ -32,10 +32,6 @@ constexpr const char* ply_triangle =
     "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
     "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
-void write_text(const fs::path& file, const std::string& text) {
-  std::ofstream(file) << text;
-}
-
 // Two points in a VTK file.
 void write_vtp(const fs::path& file, const std::string& points, const std::string& arrays) {
   write_text(file,

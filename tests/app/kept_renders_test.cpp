@@ -61,14 +61,10 @@ class KeptRendersTest : public QObject {
   }
 
   void a_killed_sequence_goes_on_where_it_was() {
-    const QTemporaryDir temporary;
-    const fs::path folder = to_path(temporary.path());
+    const TestFolder folder;
     QProcess other;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert(killed_folder, temporary.path());
-    other.setProcessEnvironment(environment);
-    other.start(QCoreApplication::applicationFilePath(),
-                {"kept_renders", "a_sequence_is_rendered_until_killed"});
+    start_test(other, {"kept_renders", "a_sequence_is_rendered_until_killed"}, killed_folder,
+               to_qstring(folder));
     const auto is_begun = [&] {
       const auto records = fs::exists(folder / "renders") ? files_in(folder / "renders", ".json")
                                                           : std::vector<fs::path>{};
@@ -118,11 +114,8 @@ class KeptRendersTest : public QObject {
   void the_layout_of_a_killed_window_comes_back() {
     const QTemporaryDir folder;
     QProcess other;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert(killed_folder, folder.path());
-    other.setProcessEnvironment(environment);
-    other.start(QCoreApplication::applicationFilePath(),
-                {"kept_renders", "a_window_is_laid_out_until_killed"});
+    start_test(other, {"kept_renders", "a_window_is_laid_out_until_killed"}, killed_folder,
+               folder.path());
     const auto kept = [&](const char* key) {
       QDirIterator files(folder.path(), {"*.conf"}, QDir::Files, QDirIterator::Subdirectories);
       return files.hasNext() ? QSettings(files.next(), QSettings::NativeFormat).value(key)
@@ -148,8 +141,7 @@ class KeptRendersTest : public QObject {
   }
 
   void waiting_renders_come_back_in_order_with_all_that_was_chosen() {
-    const QTemporaryDir temporary;
-    const fs::path folder = to_path(temporary.path());
+    const TestFolder folder;
     FrameExportRequest request = tiny_request(folder / "view.exr");
     request.title = "Frame 3";
     request.request.camera = Camera{.eye = {1.0, 0.5, 5.0}};
@@ -186,8 +178,7 @@ class KeptRendersTest : public QObject {
   }
 
   void what_is_done_cancelled_or_removed_does_not_come_back() {
-    const QTemporaryDir temporary;
-    const fs::path folder = to_path(temporary.path());
+    const TestFolder folder;
     {
       ListedQueue listed(folder / "renders");
       listed.queue.add(tiny_request(folder / "done.png"));
@@ -218,8 +209,7 @@ class KeptRendersTest : public QObject {
   }
 
   void damaged_files_are_told_and_can_be_removed() {
-    const QTemporaryDir temporary;
-    const fs::path folder = to_path(temporary.path());
+    const TestFolder folder;
     fs::path left;
     {
       RenderQueue queue(folder / "renders");

@@ -56,8 +56,4 @@ struct ListedQueue {
   QueueList list;
 };
 
-inline void write_text(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream(file) << text;
-}
-
 }  // namespace brume

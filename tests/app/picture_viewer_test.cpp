@@ -161,9 +161,7 @@ class PictureViewerTest : public QObject {
     QVERIFY2(test.text("picture_pixel").contains("Pixel 7, 3\nA 2.5 0.25 0"),
              qPrintable(test.text("picture_pixel")));
     const QPointF fixed = at(7.5, 3.5);
-    QWheelEvent wheel(fixed, canvas.mapToGlobal(fixed), {}, {0, 480}, Qt::NoButton, Qt::NoModifier,
-                      Qt::NoScrollPhase, false);
-    QApplication::sendEvent(&canvas, &wheel);
+    turn_wheel(canvas, fixed, 480);
     QVERIFY(canvas.picture_rect().width() > canvas.width());
     QCOMPARE(*canvas.pixel_at(fixed), QPoint(7, 3));
     test.drag(fixed, fixed + QPointF(30, 20));

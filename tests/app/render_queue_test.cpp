@@ -22,12 +22,7 @@ using QueueState = RenderQueue::State;
 void drop_row(QTreeWidget& tree, QPoint place) {
   const std::unique_ptr<QMimeData> data(tree.model()->mimeData({tree.currentIndex()}));
   if (!(tree.currentItem()->flags() & Qt::ItemIsDragEnabled)) return;
-  QDragEnterEvent enter(place, Qt::CopyAction, data.get(), Qt::LeftButton, {});
-  QApplication::sendEvent(tree.viewport(), &enter);
-  QDragMoveEvent move(place, Qt::CopyAction, data.get(), Qt::LeftButton, {});
-  QApplication::sendEvent(tree.viewport(), &move);
-  QDropEvent event(place, Qt::CopyAction, data.get(), Qt::LeftButton, {});
-  QApplication::sendEvent(tree.viewport(), &event);
+  drop_at(*tree.viewport(), place, *data);
   QCoreApplication::processEvents();
 }
 
@@ -38,8 +33,7 @@ class RenderQueueTest : public QObject {
 
  private Q_SLOTS:
   void no_two_renders_that_are_to_be_done_write_the_same_file() {
-    const QTemporaryDir temporary;
-    const fs::path folder = to_path(temporary.path());
+    const TestFolder folder;
     ListedQueue listed(folder / "renders");
     RenderQueue& queue = listed.queue;
     QSignalSpy refused(&queue, &RenderQueue::refused);
@@ -71,8 +65,7 @@ class RenderQueueTest : public QObject {
   }
 
   void rows_are_dragged_to_other_places_and_priorities_come_first() {
-    const QTemporaryDir temporary;
-    const fs::path folder = to_path(temporary.path());
+    const TestFolder folder;
     const auto titles = [](const RenderQueue& queue) {
       QStringList all;
       for (const RenderQueue::Item& item : queue.items()) all << item.request.title;
@@ -128,8 +121,7 @@ class RenderQueueTest : public QObject {
   }
 
   void failed_frames_are_told_and_tried_again() {
-    const QTemporaryDir temporary;
-    const fs::path folder = to_path(temporary.path());
+    const TestFolder folder;
     ListedQueue listed(folder / "renders");
     FrameExportRequest request = tiny_request(folder / "f.png");
     request.range = {1, 4, 30.0};

@@ -43,10 +43,6 @@ GltfBuilder room() {
   return builder;
 }
 
-void write(const fs::path& file, const std::string& content) {
-  std::ofstream(file, std::ios::binary) << content;
-}
-
 // Answers the dialog with a click on its button.
 void answer(const QWidget& window, bool cameras, bool lights) {
   auto* dialog = window.findChild<SceneDialog*>();
@@ -71,7 +67,7 @@ class SceneImportTest : public QObject {
     FileDesk desk(new_scene());
     Document& document = desk.document();
     const Scene before = document.scene();
-    write(desk.file("room.glb"), room().binary());
+    write_text(desk.file("room.glb"), room().binary());
     drop(desk, {desk.file("room.glb")});
     QCOMPARE(wait(desk), "");
     QVERIFY(document.scene() == before);  // until the question is answered
@@ -100,7 +96,7 @@ class SceneImportTest : public QObject {
   void a_camera_of_its_own_stays_in_use() {
     FileDesk desk;
     const Camera before = desk.scene().camera;
-    write(desk.file("room.glb"), room().binary());
+    write_text(desk.file("room.glb"), room().binary());
     drop(desk, {desk.file("room.glb")});
     QCOMPARE(wait(desk), "");
     answer(desk, true, false);
@@ -120,7 +116,7 @@ class SceneImportTest : public QObject {
     builder.json["nodes"][0]["children"] = {1};
     builder.json["nodes"][1]["mesh"] = 1;
     builder.json["scenes"][0]["nodes"] = {0};
-    write(desk.file("room.glb"), builder.binary());
+    write_text(desk.file("room.glb"), builder.binary());
     drop(desk, {desk.file("room.glb")});
     QCOMPARE(wait(desk), "");
 
@@ -174,7 +170,7 @@ class SceneImportTest : public QObject {
   void what_is_not_wanted_stays_out() {
     FileDesk desk;
     const Scene before = desk.scene();
-    write(desk.file("room.glb"), room().binary());
+    write_text(desk.file("room.glb"), room().binary());
     desk.import().import_file(desk.file("room.glb"));
     QCOMPARE(wait(desk), "");
     answer(desk, false, false);
@@ -185,7 +181,7 @@ class SceneImportTest : public QObject {
 
   void surfaces_alone_need_no_question() {
     FileDesk desk;
-    write(desk.file("square.glb"), GltfBuilder().binary());
+    write_text(desk.file("square.glb"), GltfBuilder().binary());
     drop(desk, {desk.file("square.glb")});
     QCOMPARE(wait(desk), "");
     QVERIFY(!desk.findChild<SceneDialog*>());
@@ -195,9 +191,9 @@ class SceneImportTest : public QObject {
   void an_obj_is_a_scene_if_it_has_materials() {
     FileDesk desk;
     const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-    write(desk.file("plain.obj"), triangle);
-    write(desk.file("red.mtl"), "newmtl red\nKd 1 0 0\n");
-    write(desk.file("red.obj"), "mtllib red.mtl\nusemtl red\n" + triangle);
+    write_text(desk.file("plain.obj"), triangle);
+    write_text(desk.file("red.mtl"), "newmtl red\nKd 1 0 0\n");
+    write_text(desk.file("red.obj"), "mtllib red.mtl\nusemtl red\n" + triangle);
     for (const char* name : {"plain.obj", "red.obj"}) {
       drop(desk, {desk.file(name)});
       QCOMPARE(wait(desk), "");
@@ -212,12 +208,12 @@ class SceneImportTest : public QObject {
 
   void damaged_and_empty_scenes_are_reported() {
     FileDesk desk;
-    write(desk.file("bad.glb"), "glTF");
+    write_text(desk.file("bad.glb"), "glTF");
     desk.import().import_file(desk.file("bad.glb"));
     QVERIFY(wait(desk).contains("bad.glb"));
     GltfBuilder empty;
     empty.json["nodes"][0].erase("mesh");
-    write(desk.file("empty.glb"), empty.binary());
+    write_text(desk.file("empty.glb"), empty.binary());
     desk.import().import_file(desk.file("empty.glb"));
     QVERIFY(wait(desk).contains("neither meshes nor cameras nor lights"));
     QVERIFY(desk.scene().surfaces.empty());
@@ -230,7 +226,7 @@ class SceneImportTest : public QObject {
     builder.json["textures"] = {{{"source", 0}}};
     builder.json["materials"] = {{{"normalTexture", {{"index", 0}}}}};
     builder.primitive()["material"] = 0;
-    write(window.file("a.glb"), builder.binary());
+    write_text(window.file("a.glb"), builder.binary());
     window->file_jobs().import().import_file(window.file("a.glb"));
     QCOMPARE(wait(window), "");
     QCOMPARE(window.scene().surfaces.size(), 1u);
@@ -242,7 +238,7 @@ class SceneImportTest : public QObject {
     TestWindow window;
     Document& document = window->document();
     const fs::path file = window.file("square.glb");
-    write(file, GltfBuilder().binary());
+    write_text(file, GltfBuilder().binary());
     window->file_jobs().import().import_file(file);
     QCOMPARE(wait(window), "");
     change_object_place(window);
@@ -253,7 +249,7 @@ class SceneImportTest : public QObject {
 
     GltfBuilder larger;
     larger.json["nodes"][0]["scale"] = {3, 3, 3};
-    write(file, larger.binary());
+    write_text(file, larger.binary());
     fs::last_write_time(file, imported.surfaces[0].imported->changed + std::chrono::seconds(2));
     QEvent activation(QEvent::ActivationChange);
     QTRY_VERIFY2(
@@ -272,11 +268,11 @@ class SceneImportTest : public QObject {
   void a_change_that_cannot_be_read_is_reported_once_and_changes_nothing() {
     FileDesk desk;
     const fs::path file = desk.file("square.glb");
-    write(file, GltfBuilder().binary());
+    write_text(file, GltfBuilder().binary());
     desk.import().import_file(file);
     QCOMPARE(wait(desk), "");
     const Scene imported = desk.scene();
-    write(file, "glTF");
+    write_text(file, "glTF");
     fs::last_write_time(file, imported.surfaces[0].imported->changed + std::chrono::seconds(2));
     ImportedReload reload(desk.document(), &desk);
     QSignalSpy failures(&reload, &ImportedReload::failed);
@@ -287,7 +283,7 @@ class SceneImportTest : public QObject {
       QTest::qWait(20);
     }
     QCOMPARE(failures.count(), 1);
-    write(file, GltfBuilder().binary());  // which the desk reads in the end
+    write_text(file, GltfBuilder().binary());  // which the desk reads in the end
   }
 
  private:

@@ -226,17 +226,13 @@ class SelectionTest : public QObject {
   // Where the camera's target is below a floor, or the mouse points at the floor, what is pasted
   // lies on it.
   void a_paste_lands_in_view() {
-    QTemporaryDir folder;
-    const QString mesh = folder.filePath("floor.off");
-    {
-      QFile file(mesh);
-      QVERIFY(file.open(QIODevice::WriteOnly));
-      file.write("OFF\n4 1 0\n-9 0 -9\n9 0 -9\n9 0 9\n-9 0 9\n4 3 2 1 0\n");
-    }
+    const TestFolder folder;
+    const std::filesystem::path mesh = folder / "floor.off";
+    write_text(mesh, "OFF\n4 1 0\n-9 0 -9\n9 0 -9\n9 0 9\n-9 0 9\n4 3 2 1 0\n");
     Scene scene = small_scene();
     scene.camera.eye = {0.0, 3.0, 6.0};
     scene.camera.target = {0.0, -1.0, 0.0};
-    scene.surfaces.emplace_back().mesh_file = to_path(mesh);
+    scene.surfaces.emplace_back().mesh_file = mesh;
     TestWindow window(scene);
     Viewport& view = window->viewport();
     Document& document = window->document();

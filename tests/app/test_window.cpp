@@ -5,11 +5,15 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QContextMenuEvent>
+#include <QDropEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QProcess>
 #include <QTreeWidget>
+#include <QWheelEvent>
 #include <algorithm>
+#include <fstream>
 
 #include "app/commands/edit_keys.h"
 #include "app/document/paths.h"
@@ -49,6 +53,7 @@ Scene tiny_scene() {
 
 TestWindow::TestWindow(const Scene& scene, const QSize& size)
     : window_(std::make_unique<MainWindow>()) {
+  use_mouse_in(window_->viewport(), window_->viewport());
   save_document(scene, file("scene.brume"));
   window_->resize(size);
   window_->show();
@@ -84,29 +89,29 @@ const RenderedFrame& TestWindow::shown() {
   return *window_->viewport().frames().shown();
 }
 
-void TestWindow::click(QPoint position, Qt::KeyboardModifiers modifiers) {
-  QTest::mouseClick(&window_->viewport(), Qt::LeftButton, modifiers, position);
+void ViewMouse::click(QPoint position, Qt::KeyboardModifiers modifiers) {
+  QTest::mouseClick(widget_, Qt::LeftButton, modifiers, position);
 }
 
-void TestWindow::press(QPoint position, Qt::KeyboardModifiers modifiers) {
-  QTest::mousePress(&window_->viewport(), Qt::LeftButton, modifiers, position);
+void ViewMouse::press(QPoint position, Qt::KeyboardModifiers modifiers) {
+  QTest::mousePress(widget_, Qt::LeftButton, modifiers, position);
 }
 
-void TestWindow::release(QPoint position, Qt::KeyboardModifiers modifiers) {
-  QTest::mouseRelease(&window_->viewport(), Qt::LeftButton, modifiers, position);
+void ViewMouse::release(QPoint position, Qt::KeyboardModifiers modifiers) {
+  QTest::mouseRelease(widget_, Qt::LeftButton, modifiers, position);
 }
 
-QPoint TestWindow::handle(std::size_t index) {
-  return handle_position(window_->viewport(), index);
+QPoint ViewMouse::handle(std::size_t index) {
+  return handle_position(*view_, index);
 }
 
-void TestWindow::move(QPointF to, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
-  move_mouse(window_->viewport(), to, button, modifiers);
+void ViewMouse::move(QPointF to, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
+  move_mouse(*widget_, to, button, modifiers);
 }
 
-void TestWindow::drag(QPoint from, QPoint to, Qt::MouseButton button,
-                      Qt::KeyboardModifiers modifiers) {
-  drag_mouse(window_->viewport(), from, to, button, modifiers);
+void ViewMouse::drag(QPoint from, QPoint to, Qt::MouseButton button,
+                     Qt::KeyboardModifiers modifiers) {
+  drag_mouse(*widget_, from, to, button, modifiers);
 }
 
 void TestWindow::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
@@ -190,6 +195,34 @@ void drag_mouse(QWidget& widget, QPointF from, QPointF to, Qt::MouseButton butto
     move_mouse(widget, from + (to - from) * k / steps, button, modifiers);
   }
   QTest::mouseRelease(&widget, button, modifiers, to.toPoint());
+}
+
+void turn_wheel(QWidget& widget, QPointF place, int angle, Qt::KeyboardModifiers modifiers) {
+  QWheelEvent event(place, widget.mapToGlobal(place), {}, {0, angle}, Qt::NoButton, modifiers,
+                    Qt::NoScrollPhase, false);
+  QApplication::sendEvent(&widget, &event);
+}
+
+bool drop_at(QWidget& widget, QPoint place, const QMimeData& data) {
+  QDragEnterEvent enter(place, Qt::CopyAction, &data, Qt::LeftButton, {});
+  QApplication::sendEvent(&widget, &enter);
+  QDragMoveEvent move(place, Qt::CopyAction, &data, Qt::LeftButton, {});
+  QApplication::sendEvent(&widget, &move);
+  QDropEvent drop(place, Qt::CopyAction, &data, Qt::LeftButton, {});
+  QApplication::sendEvent(&widget, &drop);
+  return enter.isAccepted();
+}
+
+void start_test(QProcess& process, const QStringList& test, const QString& variable,
+                const QString& value) {
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert(variable, value);
+  process.setProcessEnvironment(environment);
+  process.start(QCoreApplication::applicationFilePath(), test);
+}
+
+void write_text(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
 }
 
 Track find_track(const Scene& scene, const char* title) {

@@ -2,7 +2,9 @@
 
 #include <QTemporaryDir>
 #include <QtTest/QtTest>
+#include <filesystem>
 #include <memory>
+#include <string>
 
 #include "app/document/keyframe_tracks.h"
 #include "app/jobs/job_bar.h"
@@ -23,6 +25,8 @@ inline constexpr int patience = 300'000;
 #undef QTRY_COMPARE
 #define QTRY_COMPARE(value, expected) QTRY_COMPARE_WITH_TIMEOUT(value, expected, brume::patience)
 
+class QMimeData;
+class QProcess;
 class QTreeWidget;
 class QTreeWidgetItem;
 
@@ -36,11 +40,35 @@ struct RenderedFrame;
 Scene small_scene();
 Scene tiny_scene();  // the same in 32 x 24 pixels
 
+// The mouse in a view; the left button where none is named.
+class ViewMouse {
+ public:
+  void click(QPoint position, Qt::KeyboardModifiers modifiers = {});
+  void press(QPoint position, Qt::KeyboardModifiers modifiers = {});
+  void release(QPoint position, Qt::KeyboardModifiers modifiers = {});
+  // Where a Gaussian's handle is.
+  QPoint handle(std::size_t index);
+  void move(QPointF to, Qt::MouseButton button = Qt::LeftButton,
+            Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+  void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
+            Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+
+ protected:
+  void use_mouse_in(QWidget& widget, const View& view) {
+    widget_ = &widget;
+    view_ = &view;
+  }
+
+ private:
+  QWidget* widget_ = nullptr;
+  const View* view_ = nullptr;
+};
+
 // A main window that shows a scene from a file, active and with its first full frame.
 //
 // Tests wait for conditions: on a busy machine a moment is any length. Only what must not happen is
 // given a time.
-class TestWindow {
+class TestWindow : public ViewMouse {
  public:
   // By default a picture high enough to tell handles apart.
   explicit TestWindow(const Scene& scene = small_scene(), const QSize& size = {800, 660});
@@ -61,22 +89,26 @@ class TestWindow {
   bool settle();
   // The bar that shows a job.
   [[nodiscard]] const JobBar& bar(const BackgroundJob& job) const;
-  // The left button, in the view.
-  void click(QPoint position, Qt::KeyboardModifiers modifiers = {});
-  void press(QPoint position, Qt::KeyboardModifiers modifiers = {});
-  void release(QPoint position, Qt::KeyboardModifiers modifiers = {});
-  // Where a Gaussian's handle is in the viewport.
-  QPoint handle(std::size_t index);
-  void move(QPointF to, Qt::MouseButton button = Qt::LeftButton,
-            Qt::KeyboardModifiers modifiers = Qt::NoModifier);
-  void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
-            Qt::KeyboardModifiers modifiers = Qt::NoModifier);
   void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
 
  private:
   QTemporaryDir folder_;
   std::unique_ptr<MainWindow> window_;
 };
+
+// A folder that lasts as long as this.
+class TestFolder {
+ public:
+  operator std::filesystem::path() const { return path_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::filesystem::path& name) const { return path_ / name; }
+
+ private:
+  QTemporaryDir folder_;
+  std::filesystem::path path_{folder_.path().toStdString()};
+};
+
+void write_text(const std::filesystem::path& file, const std::string& text);
 
 // Programs beside the tests have settings and caches in that folder.
 void prepare_application_in(const QTemporaryDir& folder);
@@ -97,6 +129,14 @@ void move_mouse(QWidget& widget, QPointF to, Qt::MouseButton button = Qt::LeftBu
 // In steps.
 void drag_mouse(QWidget& widget, QPointF from, QPointF to, Qt::MouseButton button = Qt::LeftButton,
                 Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+
+// Turns the wheel over a place, up if positive.
+void turn_wheel(QWidget& widget, QPointF place, int angle, Qt::KeyboardModifiers modifiers = {});
+// Lets what is dragged fall at a place, if that takes it; whether it does.
+bool drop_at(QWidget& widget, QPoint place, const QMimeData& data);
+// Starts this program's test of a name in another process, with a variable of the environment.
+void start_test(QProcess& process, const QStringList& test, const QString& variable,
+                const QString& value);
 
 // The track of a title that a scene has: "Light 1 position"; and sets its keyframe.
 Track find_track(const Scene& scene, const char* title);

@@ -138,9 +138,7 @@ class ViewportTest : public QObject {
     Viewport& view = window->viewport();
     for (const int delta : {-12000, 12000}) {
       for (int k = 0; k < 20; ++k) {
-        QWheelEvent wheel(QPointF(9, 9), view.mapToGlobal(QPointF(9, 9)), {}, {0, delta},
-                          Qt::NoButton, {}, Qt::NoScrollPhase, false);
-        QApplication::sendEvent(&view, &wheel);
+        turn_wheel(view, {9, 9}, delta);
       }
       window.key(Qt::Key_0, Qt::ControlModifier);
       QVERIFY(window->files().save());
@@ -160,9 +158,7 @@ class ViewportTest : public QObject {
     window.drag(middle, middle + QPoint(30, 0), Qt::MiddleButton, Qt::ShiftModifier);
     QVERIFY(view.camera().target != orbited.target);
     const double distance = glm::distance(view.camera().eye, view.camera().target);
-    QWheelEvent wheel(middle, view.mapToGlobal(QPointF(middle)), {}, {0, 120}, Qt::NoButton, {},
-                      Qt::NoScrollPhase, false);
-    QApplication::sendEvent(&view, &wheel);
+    turn_wheel(view, middle, 120);
     QVERIFY(glm::distance(view.camera().eye, view.camera().target) < distance);
     window.drag(middle, middle + QPoint(10, 10), Qt::LeftButton, Qt::AltModifier);
     QVERIFY(window->document().selection().empty());

@@ -111,9 +111,7 @@ class ViewsTest : public QObject {
     QVERIFY(glm::distance(front.camera().eye - before.eye, way) < 1e-9);
     QCOMPARE(&views.active(), &front);
     const double half = half_height(front.camera());
-    QWheelEvent wheel(QPointF(9, 9), front.mapToGlobal(QPointF(9, 9)), {}, {0, 120}, Qt::NoButton,
-                      {}, Qt::NoScrollPhase, false);
-    QApplication::sendEvent(&front, &wheel);
+    turn_wheel(front, {9, 9}, 120);
     QVERIFY(half_height(front.camera()) < half);
     front.setFocus();
     QTest::keyClick(&front, Qt::Key_Home);
