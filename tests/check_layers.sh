@@ -11,6 +11,7 @@ includes=$(grep -rnE '^\s*#\s*include\s*[<"]' include core render app tools \
 }
 
 panels='app/document/ app/commands/ app/widgets/ app/jobs/ app/files/ app/view/ app/frames/'
+tools='app/document/ app/commands/ app/widgets/ app/view/'
 values='render/settings.h render/motion.h'
 light='render/optical_depth/ render/lights/ render/grid/ render/slices/ render/scattering/'
 surfaces="render/geometry/ render/simd/ render/visibility/ $light render/shading/"
@@ -129,7 +130,11 @@ app/export/*.[hc]*:app/document/ app/widgets/ app/jobs/ app/files/ app/pictures/
 app/import/*.[hc]*:app/document/ app/commands/ app/widgets/ app/jobs/ app/files/
 app/view/*.[hc]*:app/document/ app/widgets/ app/jobs/
 app/frames/*.[hc]*:app/document/ app/widgets/ app/jobs/ app/view/
-app/tools/*.[hc]*:app/document/ app/commands/ app/widgets/ app/view/
+app/tools/option_widgets.[hc]*:$tools
+app/tools/stroke_path.[hc]*:$tools
+app/tools/brushes/*.[hc]*:$tools app/tools/option_widgets.h app/tools/stroke_path.h
+app/tools/selection/*.[hc]*:$tools app/tools/option_widgets.h app/tools/stroke_path.h
+app/tools/*.[hc]*:$tools app/tools/brushes/ app/tools/selection/
 app/assets/*.[hc]*:app/document/ app/commands/ app/widgets/ app/jobs/ app/files/ app/import/ app/view/ app/tools/
 app/panels/forms/*.[hc]*:$panels
 app/panels/gaussians/*.[hc]*:$panels

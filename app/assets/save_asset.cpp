@@ -4,8 +4,8 @@
 
 #include "app/commands/edit_objects.h"
 #include "app/document/document.h"
-#include "app/tools/brush_library.h"
-#include "app/tools/fog_brush_tool.h"
+#include "app/tools/brushes/brush_library.h"
+#include "app/tools/brushes/fog_brush_tool.h"
 #include "app/tools/tool_box.h"
 #include "brume/error.h"
 #include "core/io/scene/scene_file.h"

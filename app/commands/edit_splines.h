@@ -9,7 +9,7 @@ namespace brume {
 class Document;
 
 // Edits of splines that fog was painted along, each one undo step; their points are edited by
-// app/tools/spline_tool. Ids of splines that are not there change nothing.
+// app/tools/brushes/spline_tool. Ids of splines that are not there change nothing.
 
 // A new one with an id and name of its own, not in the scene yet.
 PaintedSpline new_spline(const Document& document);

@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "app/document/document.h"
-#include "app/tools/airbrush_tool.h"
-#include "app/tools/brush_select_tool.h"
+#include "app/tools/brushes/airbrush_tool.h"
+#include "app/tools/brushes/eraser_tool.h"
+#include "app/tools/brushes/paintbrush_tool.h"
+#include "app/tools/brushes/spline_tool.h"
 #include "app/tools/emitter_tool.h"
-#include "app/tools/eraser_tool.h"
-#include "app/tools/lasso_tool.h"
-#include "app/tools/paintbrush_tool.h"
-#include "app/tools/spline_tool.h"
-#include "app/tools/transform_tool.h"
+#include "app/tools/selection/brush_select_tool.h"
+#include "app/tools/selection/lasso_tool.h"
+#include "app/tools/selection/transform_tool.h"
 #include "app/view/view.h"
 
 namespace brume {

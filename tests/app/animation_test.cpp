@@ -14,7 +14,7 @@
 #include "app/document/timeline.h"
 #include "app/files/scene_files.h"
 #include "app/panels/forms/key_button.h"
-#include "app/tools/airbrush_tool.h"
+#include "app/tools/brushes/airbrush_tool.h"
 #include "app/tools/emitter_tool.h"
 #include "app/tools/tool_box.h"
 #include "app/view/overlay.h"

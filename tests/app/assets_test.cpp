@@ -15,7 +15,7 @@
 #include "app/commands/edit_cameras.h"
 #include "app/commands/edit_groups.h"
 #include "app/commands/select_command.h"
-#include "app/tools/paintbrush_tool.h"
+#include "app/tools/brushes/paintbrush_tool.h"
 #include "app/tools/tool_box.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/viewport.h"

@@ -12,9 +12,9 @@
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "app/tools/airbrush_tool.h"
-#include "app/tools/brush_library.h"
-#include "app/tools/paintbrush_tool.h"
+#include "app/tools/brushes/airbrush_tool.h"
+#include "app/tools/brushes/brush_library.h"
+#include "app/tools/brushes/paintbrush_tool.h"
 #include "app/tools/tool_box.h"
 #include "app/widgets/mnemonics.h"
 #include "brume/error.h"

@@ -19,7 +19,7 @@
 #include "app/files/scene_files.h"
 #include "app/panels/gaussians/gaussian_panel.h"
 #include "app/panels/lists/outliner.h"
-#include "app/tools/paintbrush_tool.h"
+#include "app/tools/brushes/paintbrush_tool.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
 #include "app/widgets/number_field.h"

@@ -7,7 +7,7 @@
 #include "app/commands/select_command.h"
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
-#include "app/tools/selection_tool.h"
+#include "app/tools/selection/selection_tool.h"
 #include "app/tools/tool_box.h"
 #include "app/view/gizmo.h"
 #include "app/viewport/viewport.h"

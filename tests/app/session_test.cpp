@@ -7,7 +7,7 @@
 #include <iterator>
 #include <set>
 
-#include "app/tools/airbrush_tool.h"
+#include "app/tools/brushes/airbrush_tool.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/number_field.h"

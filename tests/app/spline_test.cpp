@@ -8,7 +8,7 @@
 #include "app/commands/edit_groups.h"
 #include "app/commands/edit_medium.h"
 #include "app/commands/edit_splines.h"
-#include "app/tools/spline_tool.h"
+#include "app/tools/brushes/spline_tool.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/viewport.h"
 #include "core/io/scene/scene_file.h"

@@ -4,10 +4,10 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "app/tools/airbrush_tool.h"
-#include "app/tools/brush_select_tool.h"
-#include "app/tools/eraser_tool.h"
-#include "app/tools/paintbrush_tool.h"
+#include "app/tools/brushes/airbrush_tool.h"
+#include "app/tools/brushes/eraser_tool.h"
+#include "app/tools/brushes/paintbrush_tool.h"
+#include "app/tools/selection/brush_select_tool.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/viewport.h"
 #include "tests/app/test_window.h"

@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "app/tools/eraser_tool.h"
-#include "app/tools/paintbrush_tool.h"
+#include "app/tools/brushes/eraser_tool.h"
+#include "app/tools/brushes/paintbrush_tool.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/keys.h"

@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 
 #include "app/commands/clipboard.h"
-#include "app/tools/airbrush_tool.h"
-#include "app/tools/paintbrush_tool.h"
+#include "app/tools/brushes/airbrush_tool.h"
+#include "app/tools/brushes/paintbrush_tool.h"
 #include "app/view/overlay.h"
 #include "app/view/paint_point.h"
 #include "brume/render.h"

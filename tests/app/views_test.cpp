@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/files/scene_files.h"
-#include "app/tools/paintbrush_tool.h"
+#include "app/tools/brushes/paintbrush_tool.h"
 #include "app/viewport/view_grid.h"
 #include "core/io/scene/scene_file.h"
 #include "core/scene/cameras.h"

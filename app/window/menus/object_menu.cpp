@@ -16,7 +16,7 @@
 #include "app/import/scene_import.h"
 #include "app/panels/forms/light_panel.h"
 #include "app/panels/lists/outliner.h"
-#include "app/tools/click_target.h"
+#include "app/tools/selection/click_target.h"
 #include "app/view/floor.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/view_grid.h"

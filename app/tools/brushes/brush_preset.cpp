@@ -1,4 +1,4 @@
-#include "app/tools/brush_preset.h"
+#include "app/tools/brushes/brush_preset.h"
 
 #include <QCoreApplication>
 #include <array>

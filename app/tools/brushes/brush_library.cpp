@@ -1,4 +1,4 @@
-#include "app/tools/brush_library.h"
+#include "app/tools/brushes/brush_library.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/commands/edit_objects.h"
-#include "app/tools/select_tool.h"
+#include "app/tools/selection/select_tool.h"
 #include "app/view/gizmo.h"
 #include "core/scene/camera_rays.h"
 

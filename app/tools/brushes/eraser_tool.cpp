@@ -1,4 +1,4 @@
-#include "app/tools/eraser_tool.h"
+#include "app/tools/brushes/eraser_tool.h"
 #include "core/number_domain.h"
 #include "core/scene/camera_rays.h"
 

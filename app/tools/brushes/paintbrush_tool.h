@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/tools/fog_brush_tool.h"
+#include "app/tools/brushes/fog_brush_tool.h"
 #include "core/authoring/paintbrush.h"
 
 namespace brume {

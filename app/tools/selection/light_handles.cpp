@@ -1,4 +1,4 @@
-#include "app/tools/light_handles.h"
+#include "app/tools/selection/light_handles.h"
 
 #include <QLineF>
 #include <algorithm>
@@ -14,7 +14,7 @@
 #include "app/commands/edit_objects.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
-#include "app/tools/sun_handle.h"
+#include "app/tools/selection/sun_handle.h"
 #include "app/view/gizmo.h"
 #include "app/view/navigation.h"
 #include "app/view/object_box.h"

@@ -1,4 +1,4 @@
-#include "app/tools/selection_tool.h"
+#include "app/tools/selection/selection_tool.h"
 
 #include <algorithm>
 

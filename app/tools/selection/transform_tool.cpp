@@ -1,4 +1,4 @@
-#include "app/tools/transform_tool.h"
+#include "app/tools/selection/transform_tool.h"
 
 #include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>

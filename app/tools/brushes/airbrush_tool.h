@@ -3,7 +3,7 @@
 #include <QTimer>
 #include <functional>
 
-#include "app/tools/fog_brush_tool.h"
+#include "app/tools/brushes/fog_brush_tool.h"
 #include "core/authoring/airbrush.h"
 
 namespace brume {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "app/tools/brush_preset.h"
+#include "app/tools/brushes/brush_preset.h"
 
 namespace brume {
 

@@ -1,4 +1,4 @@
-#include "app/tools/click_target.h"
+#include "app/tools/selection/click_target.h"
 #include "core/scene/camera_rays.h"
 
 #include <QLineF>

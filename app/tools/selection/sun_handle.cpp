@@ -1,4 +1,4 @@
-#include "app/tools/sun_handle.h"
+#include "app/tools/selection/sun_handle.h"
 
 #include <QLineF>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "app/tools/brush_cursor.h"
+#include "app/tools/brushes/brush_cursor.h"
 
 #include <array>
 #include <cmath>

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "app/tools/brush_preset.h"
-#include "app/tools/brush_tool.h"
-#include "app/tools/stroke_options_button.h"
+#include "app/tools/brushes/brush_preset.h"
+#include "app/tools/brushes/brush_tool.h"
+#include "app/tools/brushes/stroke_options_button.h"
 #include "app/view/paint_point.h"
 #include "core/authoring/mirror.h"
 #include "core/scene/camera_rays.h"

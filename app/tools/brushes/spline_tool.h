@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/commands/merge_id.h"
-#include "app/tools/paintbrush_tool.h"
+#include "app/tools/brushes/paintbrush_tool.h"
 #include "brume/painted_spline.h"
 #include "core/scene/camera_rays.h"
 

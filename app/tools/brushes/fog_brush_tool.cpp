@@ -1,4 +1,4 @@
-#include "app/tools/fog_brush_tool.h"
+#include "app/tools/brushes/fog_brush_tool.h"
 
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -14,7 +14,7 @@
 #include "app/commands/edit_groups.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
-#include "app/tools/brush_cursor.h"
+#include "app/tools/brushes/brush_cursor.h"
 #include "app/tools/option_widgets.h"
 #include "app/view/navigation.h"
 #include "app/view/view.h"

@@ -7,9 +7,9 @@
 
 #include "app/commands/merge_id.h"
 #include "app/document/object_ref.h"
-#include "app/tools/light_handles.h"
-#include "app/tools/selection_tool.h"
-#include "app/tools/sun_handle.h"
+#include "app/tools/selection/light_handles.h"
+#include "app/tools/selection/selection_tool.h"
+#include "app/tools/selection/sun_handle.h"
 #include "brume/gaussian.h"
 #include "core/scene/camera_rays.h"
 

@@ -2,7 +2,7 @@
 
 #include <QPolygonF>
 
-#include "app/tools/selection_tool.h"
+#include "app/tools/selection/selection_tool.h"
 #include "app/tools/stroke_path.h"
 
 namespace brume {

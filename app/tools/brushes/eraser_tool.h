@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/tools/brush_tool.h"
+#include "app/tools/brushes/brush_tool.h"
 #include "core/authoring/eraser.h"
 #include "core/scene/camera_rays.h"
 

@@ -1,4 +1,4 @@
-#include "app/tools/airbrush_tool.h"
+#include "app/tools/brushes/airbrush_tool.h"
 
 #include <algorithm>
 #include <chrono>

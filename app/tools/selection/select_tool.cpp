@@ -1,4 +1,4 @@
-#include "app/tools/select_tool.h"
+#include "app/tools/selection/select_tool.h"
 #include "core/scene/camera_rays.h"
 
 #include <QRectF>
@@ -8,8 +8,8 @@
 #include "app/commands/edit_medium.h"
 #include "app/commands/edit_objects.h"
 #include "app/document/document.h"
-#include "app/tools/click_target.h"
-#include "app/tools/emitter_mark.h"
+#include "app/tools/selection/click_target.h"
+#include "app/tools/selection/emitter_mark.h"
 #include "app/view/object_box.h"
 #include "app/view/view.h"
 #include "app/widgets/interface_settings.h"

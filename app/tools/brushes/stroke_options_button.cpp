@@ -1,4 +1,4 @@
-#include "app/tools/stroke_options_button.h"
+#include "app/tools/brushes/stroke_options_button.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 #include <QWidgetAction>
 
-#include "app/tools/fog_brush_tool.h"
+#include "app/tools/brushes/fog_brush_tool.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/rows.h"
 #include "core/number_domain.h"

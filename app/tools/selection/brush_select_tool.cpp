@@ -1,4 +1,4 @@
-#include "app/tools/brush_select_tool.h"
+#include "app/tools/selection/brush_select_tool.h"
 
 #include <algorithm>
 #include <utility>

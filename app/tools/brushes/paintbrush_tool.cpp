@@ -1,4 +1,4 @@
-#include "app/tools/paintbrush_tool.h"
+#include "app/tools/brushes/paintbrush_tool.h"
 
 #include <cmath>
 #include <numbers>

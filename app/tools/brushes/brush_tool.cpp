@@ -1,4 +1,4 @@
-#include "app/tools/brush_tool.h"
+#include "app/tools/brushes/brush_tool.h"
 #include "core/scene/camera_rays.h"
 
 #include <QLineF>

@@ -5,9 +5,9 @@
 #include <QToolButton>
 #include <QWidgetAction>
 
-#include "app/tools/brush_library.h"
-#include "app/tools/fog_brush_tool.h"
-#include "app/tools/stroke_options_button.h"
+#include "app/tools/brushes/brush_library.h"
+#include "app/tools/brushes/fog_brush_tool.h"
+#include "app/tools/brushes/stroke_options_button.h"
 #include "app/widgets/rows.h"
 #include "brume/error.h"
 

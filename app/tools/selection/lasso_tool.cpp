@@ -1,4 +1,4 @@
-#include "app/tools/lasso_tool.h"
+#include "app/tools/selection/lasso_tool.h"
 
 #include "app/document/document.h"
 #include "app/view/view.h"

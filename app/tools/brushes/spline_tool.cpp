@@ -1,4 +1,4 @@
-#include "app/tools/spline_tool.h"
+#include "app/tools/brushes/spline_tool.h"
 
 #include <QHBoxLayout>
 #include <QLineF>

@@ -1,8 +1,8 @@
-#include "app/tools/emitter_mark.h"
+#include "app/tools/selection/emitter_mark.h"
 
 #include <algorithm>
 
-#include "app/tools/click_target.h"
+#include "app/tools/selection/click_target.h"
 #include "app/view/overlay.h"
 #include "app/widgets/interface_settings.h"
 #include "brume/emitter.h"
