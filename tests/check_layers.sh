@@ -122,6 +122,8 @@ render/splats/*.[hc]*:$values render/display/ render/render_plan.h render/util/ 
 render/quality/*.[hc]*:$values render/frame_renderer.h render/util/ render/geometry/ render/samples/ render/prepare/ render/reference/ render/visibility/ render/render_plan.h render/paths/
 app/document/*.[hc]*:
 app/commands/*.[hc]*:app/document/
+app/commands/gaussians/*.[hc]*:app/document/ app/commands/[a-z_]+.h
+app/commands/objects/*.[hc]*:app/document/ app/commands/[a-z_]+.h app/commands/gaussians/
 app/widgets/*.[hc]*:app/document/ app/commands/
 app/jobs/*.[hc]*:app/widgets/
 app/pictures/*.[hc]*:app/document/ app/widgets/ app/jobs/

@@ -6,7 +6,7 @@
 #include <exception>
 #include <glm/geometric.hpp>
 
-#include "app/commands/edit_lights.h"
+#include "app/commands/objects/edit_lights.h"
 #include "app/document/paths.h"
 #include "app/files/recent_pictures.h"
 #include "app/import/add_imported.h"

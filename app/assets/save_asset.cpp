@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "app/commands/edit_objects.h"
+#include "app/commands/objects/edit_objects.h"
 #include "app/document/document.h"
 #include "app/tools/brushes/brush_library.h"
 #include "app/tools/brushes/fog_brush_tool.h"

@@ -4,11 +4,11 @@
 #include <optional>
 #include <utility>
 
-#include "app/commands/edit_cameras.h"
-#include "app/commands/edit_groups.h"
-#include "app/commands/edit_medium.h"
-#include "app/commands/edit_objects.h"
 #include "app/commands/gaussian_budget.h"
+#include "app/commands/gaussians/edit_groups.h"
+#include "app/commands/gaussians/edit_medium.h"
+#include "app/commands/objects/edit_cameras.h"
+#include "app/commands/objects/edit_objects.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/import/add_imported.h"

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "app/commands/operation_numbers.h"
+#include "app/commands/gaussians/operation_numbers.h"
 #include "brume/mesh_arrays.h"
 #include "brume/scene.h"
 

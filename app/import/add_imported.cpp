@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/commands/edit_cameras.h"
+#include "app/commands/objects/edit_cameras.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/commands/operation_numbers.h"
+#include "app/commands/gaussians/operation_numbers.h"
 #include "core/scene/imported_scene.h"
 
 namespace brume {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <exception>
 
-#include "app/commands/edit_medium.h"
+#include "app/commands/gaussians/edit_medium.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"

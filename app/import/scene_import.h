@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/commands/operation_numbers.h"
+#include "app/commands/gaussians/operation_numbers.h"
 #include "app/import/frame_run.h"
 #include "app/import/import_kind.h"
 #include "app/import/import_spot.h"

@@ -4,7 +4,7 @@
 #include <any>
 #include <numeric>
 
-#include "app/commands/edit_medium.h"
+#include "app/commands/gaussians/edit_medium.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/import/add_imported.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/commands/operation_numbers.h"
+#include "app/commands/gaussians/operation_numbers.h"
 #include "brume/medium_sequence.h"
 #include "core/fit/volume_fitter.h"
 #include "render/util/job.h"

@@ -3,8 +3,8 @@
 #include <QLineF>
 #include <glm/common.hpp>
 
-#include "app/commands/edit_emitters.h"
-#include "app/commands/edit_objects.h"
+#include "app/commands/objects/edit_emitters.h"
+#include "app/commands/objects/edit_objects.h"
 #include "app/document/document.h"
 #include "app/tools/brushes/brush_cursor.h"
 #include "app/tools/option_widgets.h"

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "app/commands/medium_command.h"
+#include "app/commands/gaussians/medium_command.h"
 #include "app/document/arithmetic.h"
 #include "app/widgets/mouse_drag.h"
 #include "core/number_domain.h"

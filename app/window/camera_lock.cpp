@@ -2,7 +2,7 @@
 
 #include <QEvent>
 
-#include "app/commands/edit_cameras.h"
+#include "app/commands/objects/edit_cameras.h"
 #include "app/document/document.h"
 #include "app/viewport/viewport.h"
 

@@ -9,9 +9,9 @@
 
 #include "app/assets/asset_files.h"
 #include "app/assets/save_asset.h"
-#include "app/commands/edit_lights.h"
+#include "app/commands/gaussians/simplify_gaussians.h"
+#include "app/commands/objects/edit_lights.h"
 #include "app/commands/scene_part_command.h"
-#include "app/commands/simplify_gaussians.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/document/number_text.h"

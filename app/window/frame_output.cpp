@@ -10,8 +10,8 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
-#include "app/commands/edit_cameras.h"
-#include "app/commands/edit_output.h"
+#include "app/commands/objects/edit_cameras.h"
+#include "app/commands/objects/edit_output.h"
 #include "app/document/document.h"
 #include "app/document/number_text.h"
 #include "app/document/paths.h"

@@ -9,8 +9,8 @@
 #include <QToolButton>
 #include <glm/geometric.hpp>
 
-#include "app/commands/edit_emitters.h"
-#include "app/commands/edit_medium.h"
+#include "app/commands/gaussians/edit_medium.h"
+#include "app/commands/objects/edit_emitters.h"
 #include "app/document/timeline.h"
 #include "app/files/scene_files.h"
 #include "app/panels/forms/key_button.h"

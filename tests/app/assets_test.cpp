@@ -12,9 +12,9 @@
 
 #include "app/assets/asset_panel.h"
 #include "app/assets/save_asset.h"
-#include "app/commands/edit_cameras.h"
-#include "app/commands/edit_groups.h"
-#include "app/commands/select_command.h"
+#include "app/commands/gaussians/edit_groups.h"
+#include "app/commands/gaussians/select_command.h"
+#include "app/commands/objects/edit_cameras.h"
 #include "app/tools/brushes/paintbrush_tool.h"
 #include "app/tools/tool_box.h"
 #include "app/view/surface_picker.h"

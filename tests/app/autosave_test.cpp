@@ -6,7 +6,7 @@
 #include <fstream>
 #include <functional>
 
-#include "app/commands/edit_medium.h"
+#include "app/commands/gaussians/edit_medium.h"
 #include "app/document/autosave.h"
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"

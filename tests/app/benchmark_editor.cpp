@@ -12,8 +12,8 @@
 #include <ctime>
 #include <string_view>
 
-#include "app/commands/edit_medium.h"
-#include "app/commands/select_command.h"
+#include "app/commands/gaussians/edit_medium.h"
+#include "app/commands/gaussians/select_command.h"
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
 #include "app/panels/gaussians/gaussian_panel.h"

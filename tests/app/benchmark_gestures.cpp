@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/commands/select_command.h"
+#include "app/commands/gaussians/select_command.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/document/timeline.h"

@@ -8,7 +8,7 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "app/commands/edit_emitters.h"
+#include "app/commands/objects/edit_emitters.h"
 #include "app/document/timeline.h"
 #include "app/panels/gaussians/gaussian_filter.h"
 #include "app/widgets/color_button.h"

@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "app/commands/edit_lights.h"
-#include "app/commands/edit_objects.h"
+#include "app/commands/objects/edit_lights.h"
+#include "app/commands/objects/edit_objects.h"
 #include "app/document/timeline.h"
 #include "app/panels/time/curve_panel.h"
 #include "app/panels/time/dope_sheet.h"

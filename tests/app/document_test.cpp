@@ -1,10 +1,10 @@
 // The document, its commands and the table's model, without a window.
 
 #include "app/document/document.h"
-#include "app/commands/edit_keys.h"
-#include "app/commands/edit_lights.h"
-#include "app/commands/edit_medium.h"
-#include "app/commands/edit_objects.h"
+#include "app/commands/gaussians/edit_medium.h"
+#include "app/commands/objects/edit_keys.h"
+#include "app/commands/objects/edit_lights.h"
+#include "app/commands/objects/edit_objects.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/number_text.h"
 #include "app/panels/gaussians/gaussian_table_model.h"

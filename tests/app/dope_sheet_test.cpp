@@ -3,8 +3,8 @@
 #include <QLineEdit>
 #include <QWheelEvent>
 
-#include "app/commands/edit_cameras.h"
-#include "app/commands/edit_objects.h"
+#include "app/commands/objects/edit_cameras.h"
+#include "app/commands/objects/edit_objects.h"
 #include "app/document/timeline.h"
 #include "app/panels/time/dope_sheet.h"
 #include "app/panels/time/timeline_bar.h"

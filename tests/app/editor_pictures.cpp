@@ -11,9 +11,9 @@
 #include <QScrollBar>
 #include <cstdio>
 
-#include "app/commands/edit_emitters.h"
-#include "app/commands/edit_medium.h"
-#include "app/commands/edit_objects.h"
+#include "app/commands/gaussians/edit_medium.h"
+#include "app/commands/objects/edit_emitters.h"
+#include "app/commands/objects/edit_objects.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"

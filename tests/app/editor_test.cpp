@@ -9,8 +9,8 @@
 #include <QUndoView>
 #include <fstream>
 
-#include "app/commands/edit_medium.h"
-#include "app/commands/select_command.h"
+#include "app/commands/gaussians/edit_medium.h"
+#include "app/commands/gaussians/select_command.h"
 #include "app/files/scene_files.h"
 #include "app/panels/gaussians/gaussian_panel.h"
 #include "app/viewport/viewport.h"

@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "app/commands/clipboard.h"
-#include "app/commands/edit_groups.h"
+#include "app/commands/gaussians/clipboard.h"
+#include "app/commands/gaussians/edit_groups.h"
 #include "app/panels/gaussians/gaussian_filter.h"
 #include "app/panels/gaussians/gaussian_histogram.h"
 #include "app/panels/gaussians/gaussian_panel.h"

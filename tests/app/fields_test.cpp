@@ -14,7 +14,7 @@
 #include <array>
 #include <functional>
 
-#include "app/commands/edit_medium.h"
+#include "app/commands/gaussians/edit_medium.h"
 #include "app/document/timeline.h"
 #include "app/files/scene_files.h"
 #include "app/panels/gaussians/gaussian_panel.h"

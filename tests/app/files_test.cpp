@@ -7,7 +7,7 @@
 #include <QPushButton>
 #include <fstream>
 
-#include "app/commands/edit_medium.h"
+#include "app/commands/gaussians/edit_medium.h"
 #include "app/document/paths.h"
 #include "app/files/file_dialogs.h"
 #include "app/files/scene_files.h"

@@ -11,7 +11,7 @@
 #include <QTreeWidget>
 #include <QUrl>
 
-#include "app/commands/edit_objects.h"
+#include "app/commands/objects/edit_objects.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/document/timeline.h"

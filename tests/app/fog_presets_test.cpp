@@ -6,7 +6,7 @@
 #include <QPushButton>
 #include <glm/geometric.hpp>
 
-#include "app/commands/add_fog.h"
+#include "app/commands/gaussians/add_fog.h"
 #include "app/files/scene_files.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/viewport.h"

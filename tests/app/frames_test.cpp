@@ -7,7 +7,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "app/commands/edit_medium.h"
+#include "app/commands/gaussians/edit_medium.h"
 #include "app/document/paths.h"
 #include "app/export/frame_export.h"
 #include "app/frames/frame_service.h"

@@ -4,8 +4,8 @@
 #include <QLabel>
 #include <QToolButton>
 
-#include "app/commands/edit_groups.h"
-#include "app/commands/edit_keys.h"
+#include "app/commands/gaussians/edit_groups.h"
+#include "app/commands/objects/edit_keys.h"
 #include "app/document/timeline.h"
 #include "app/panels/time/timeline_bar.h"
 #include "brume/at_time.h"

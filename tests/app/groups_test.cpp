@@ -7,11 +7,11 @@
 #include <QTableView>
 #include <QTreeWidget>
 
-#include "app/commands/clipboard.h"
-#include "app/commands/edit_groups.h"
-#include "app/commands/edit_keys.h"
-#include "app/commands/edit_medium.h"
-#include "app/commands/select_command.h"
+#include "app/commands/gaussians/clipboard.h"
+#include "app/commands/gaussians/edit_groups.h"
+#include "app/commands/gaussians/edit_medium.h"
+#include "app/commands/gaussians/select_command.h"
+#include "app/commands/objects/edit_keys.h"
 #include "app/document/document.h"
 #include "app/panels/gaussians/gaussian_table_model.h"
 #include "app/viewport/viewport.h"

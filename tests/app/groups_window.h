@@ -4,8 +4,8 @@
 #include <QTreeWidget>
 #include <vector>
 
-#include "app/commands/edit_groups.h"
-#include "app/commands/select_command.h"
+#include "app/commands/gaussians/edit_groups.h"
+#include "app/commands/gaussians/select_command.h"
 #include "app/document/document.h"
 #include "app/viewport/viewport.h"
 #include "tests/app/desk.h"

@@ -3,9 +3,9 @@
 #include <QCheckBox>
 #include <QToolButton>
 
-#include "app/commands/edit_lights.h"
-#include "app/commands/edit_medium.h"
-#include "app/commands/edit_objects.h"
+#include "app/commands/gaussians/edit_medium.h"
+#include "app/commands/objects/edit_lights.h"
+#include "app/commands/objects/edit_objects.h"
 #include "app/document/timeline.h"
 #include "app/panels/time/dope_sheet.h"
 #include "app/panels/time/time_ruler.h"

@@ -4,9 +4,9 @@
 #include <QStatusBar>
 #include <QToolButton>
 
-#include "app/commands/add_fog.h"
-#include "app/commands/edit_emitters.h"
-#include "app/commands/select_command.h"
+#include "app/commands/gaussians/add_fog.h"
+#include "app/commands/gaussians/select_command.h"
+#include "app/commands/objects/edit_emitters.h"
 #include "app/import/scene_import.h"
 #include "app/panels/forms/adjust_panel.h"
 #include "app/view/surface_picker.h"

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <glm/geometric.hpp>
 
-#include "app/commands/edit_lights.h"
+#include "app/commands/objects/edit_lights.h"
 #include "app/panels/forms/light_panel.h"
 #include "app/view/object_box.h"
 #include "app/view/overlay.h"

@@ -7,7 +7,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 
-#include "app/commands/edit_groups.h"
+#include "app/commands/gaussians/edit_groups.h"
 #include "app/export/medium_dialog.h"
 #include "core/io/disk/file_bytes.h"
 #include "core/io/ply.h"

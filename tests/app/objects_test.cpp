@@ -7,8 +7,8 @@
 #include <QTreeWidgetItemIterator>
 #include <fstream>
 
-#include "app/commands/edit_objects.h"
-#include "app/commands/select_command.h"
+#include "app/commands/gaussians/select_command.h"
+#include "app/commands/objects/edit_objects.h"
 #include "app/document/document.h"
 #include "app/panels/lists/outliner.h"
 #include "app/view/object_box.h"

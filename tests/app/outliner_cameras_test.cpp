@@ -4,7 +4,7 @@
 #include <QTreeWidget>
 #include <QTreeWidgetItemIterator>
 
-#include "app/commands/edit_cameras.h"
+#include "app/commands/objects/edit_cameras.h"
 #include "app/import/add_imported.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/value_field.h"

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <numeric>
 
-#include "app/commands/edit_medium.h"
+#include "app/commands/gaussians/edit_medium.h"
 #include "app/document/paths.h"
 #include "app/document/timeline.h"
 #include "app/export/render_queue.h"

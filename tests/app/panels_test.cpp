@@ -8,8 +8,8 @@
 #include <fstream>
 #include <glm/geometric.hpp>
 
-#include "app/commands/edit_lights.h"
-#include "app/commands/edit_objects.h"
+#include "app/commands/objects/edit_lights.h"
+#include "app/commands/objects/edit_objects.h"
 #include "app/panels/forms/environment_panel.h"
 #include "app/panels/forms/light_panel.h"
 #include "app/panels/forms/material_panel.h"

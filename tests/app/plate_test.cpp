@@ -6,7 +6,7 @@
 #include <QPushButton>
 #include <fstream>
 
-#include "app/commands/edit_cameras.h"
+#include "app/commands/objects/edit_cameras.h"
 #include "app/document/paths.h"
 #include "app/document/timeline.h"
 #include "app/panels/forms/camera_panel.h"

@@ -4,7 +4,7 @@
 #include <QSpinBox>
 #include <algorithm>
 
-#include "app/commands/edit_medium.h"
+#include "app/commands/gaussians/edit_medium.h"
 #include "app/document/playback_rate.h"
 #include "app/document/timeline.h"
 #include "app/frames/picture_cache.h"

@@ -13,7 +13,7 @@
 #include <QSpinBox>
 #include <QTreeWidget>
 
-#include "app/commands/operation_numbers.h"
+#include "app/commands/gaussians/operation_numbers.h"
 #include "app/document/autosave.h"
 #include "app/view/overlay.h"
 #include "app/viewport/viewport.h"

@@ -4,9 +4,9 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
-#include "app/commands/edit_groups.h"
-#include "app/commands/edit_medium.h"
-#include "app/commands/select_command.h"
+#include "app/commands/gaussians/edit_groups.h"
+#include "app/commands/gaussians/edit_medium.h"
+#include "app/commands/gaussians/select_command.h"
 #include "app/panels/gaussians/gaussian_table_model.h"
 #include "tests/app/desk.h"
 #include "tests/app/gaussian_table.h"

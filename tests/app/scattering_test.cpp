@@ -10,7 +10,7 @@
 #include <QTreeWidget>
 #include <algorithm>
 
-#include "app/commands/edit_medium.h"
+#include "app/commands/gaussians/edit_medium.h"
 #include "app/viewport/legend.h"
 #include "app/viewport/view_grid.h"
 #include "app/window/pages/message_bar.h"

@@ -6,7 +6,7 @@
 #include <QToolButton>
 #include <fstream>
 
-#include "app/commands/edit_objects.h"
+#include "app/commands/objects/edit_objects.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/import/imported_reload.h"

@@ -3,8 +3,8 @@
 #include <QClipboard>
 #include <glm/geometric.hpp>
 
-#include "app/commands/clipboard.h"
-#include "app/commands/select_command.h"
+#include "app/commands/gaussians/clipboard.h"
+#include "app/commands/gaussians/select_command.h"
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
 #include "app/tools/selection/selection_tool.h"

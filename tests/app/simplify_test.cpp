@@ -5,8 +5,8 @@
 #include <QPushButton>
 #include <QStatusBar>
 
-#include "app/commands/edit_medium.h"
-#include "app/commands/select_command.h"
+#include "app/commands/gaussians/edit_medium.h"
+#include "app/commands/gaussians/select_command.h"
 #include "app/window/dialogs/simplify_dialog.h"
 #include "core/math/random_source.h"
 #include "tests/app/test_window.h"

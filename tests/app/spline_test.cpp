@@ -5,9 +5,9 @@
 #include <QTreeWidget>
 #include <cmath>
 
-#include "app/commands/edit_groups.h"
-#include "app/commands/edit_medium.h"
-#include "app/commands/edit_splines.h"
+#include "app/commands/gaussians/edit_groups.h"
+#include "app/commands/gaussians/edit_medium.h"
+#include "app/commands/gaussians/edit_splines.h"
 #include "app/tools/brushes/spline_tool.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/viewport.h"

@@ -8,7 +8,7 @@
 #include <QStatusBar>
 #include <QToolButton>
 
-#include "app/commands/edit_medium.h"
+#include "app/commands/gaussians/edit_medium.h"
 #include "app/document/paths.h"
 #include "app/files/recent_pictures.h"
 #include "app/files/scene_files.h"

@@ -6,8 +6,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <random>
 
-#include "app/commands/edit_emitters.h"
-#include "app/commands/select_command.h"
+#include "app/commands/gaussians/select_command.h"
+#include "app/commands/objects/edit_emitters.h"
 #include "app/document/document.h"
 #include "app/document/euler_angles.h"
 #include "app/view/surface_picker.h"

@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "app/commands/edit_keys.h"
+#include "app/commands/objects/edit_keys.h"
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
 #include "app/view/surface_picker.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/commands/clipboard.h"
+#include "app/commands/gaussians/clipboard.h"
 #include "app/tools/brushes/airbrush_tool.h"
 #include "app/tools/brushes/paintbrush_tool.h"
 #include "app/view/overlay.h"

@@ -8,8 +8,8 @@
 #include <QTreeWidget>
 #include <fstream>
 
-#include "app/commands/edit_medium.h"
-#include "app/commands/select_command.h"
+#include "app/commands/gaussians/edit_medium.h"
+#include "app/commands/gaussians/select_command.h"
 #include "app/document/timeline.h"
 #include "app/files/scene_files.h"
 #include "app/import/scene_import.h"

@@ -4,7 +4,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/commands/operation_numbers.h"
+#include "app/commands/gaussians/operation_numbers.h"
 #include "app/document/document.h"
 #include "app/panels/forms/numbers_form.h"
 #include "app/widgets/plain_text.h"

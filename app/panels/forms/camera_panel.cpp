@@ -16,7 +16,7 @@
 #include <string_view>
 #include <utility>
 
-#include "app/commands/edit_cameras.h"
+#include "app/commands/objects/edit_cameras.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/words.h"

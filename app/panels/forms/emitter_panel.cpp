@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "app/commands/edit_objects.h"
+#include "app/commands/objects/edit_objects.h"
 #include "app/document/document.h"
 #include "app/document/object_titles.h"
 #include "app/document/words.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/commands/edit_emitters.h"
+#include "app/commands/objects/edit_emitters.h"
 #include "app/panels/forms/scene_form.h"
 
 class QListWidget;

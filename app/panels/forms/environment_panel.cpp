@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/commands/edit_environment.h"
+#include "app/commands/objects/edit_environment.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"

@@ -6,7 +6,7 @@
 #include <QSignalBlocker>
 #include <algorithm>
 
-#include "app/commands/edit_groups.h"
+#include "app/commands/gaussians/edit_groups.h"
 #include "app/document/document.h"
 #include "app/document/words.h"
 #include "app/widgets/rows.h"

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/commands/edit_keys.h"
+#include "app/commands/objects/edit_keys.h"
 #include "app/document/document.h"
 #include "app/widgets/icons.h"
 #include "app/widgets/keys.h"

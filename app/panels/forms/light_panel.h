@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "app/commands/edit_lights.h"
+#include "app/commands/objects/edit_lights.h"
 #include "app/jobs/background_job.h"
 #include "app/panels/forms/scene_form.h"
 #include "brume/scene.h"

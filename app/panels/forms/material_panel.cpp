@@ -5,7 +5,7 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "app/commands/edit_objects.h"
+#include "app/commands/objects/edit_objects.h"
 #include "app/document/document.h"
 #include "app/document/euler_angles.h"
 #include "app/document/object_titles.h"

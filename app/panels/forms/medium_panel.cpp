@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <string_view>
 
-#include "app/commands/edit_medium.h"
+#include "app/commands/gaussians/edit_medium.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/words.h"

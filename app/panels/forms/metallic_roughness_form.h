@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/commands/edit_materials.h"
+#include "app/commands/objects/edit_materials.h"
 #include "app/jobs/background_job.h"
 #include "app/panels/forms/scene_form.h"
 #include "brume/scene.h"

@@ -8,7 +8,7 @@
 #include <QStandardItemModel>
 #include <QToolButton>
 
-#include "app/commands/edit_output.h"
+#include "app/commands/objects/edit_output.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/document/timeline.h"

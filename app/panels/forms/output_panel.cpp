@@ -11,7 +11,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/commands/edit_output.h"
+#include "app/commands/objects/edit_output.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/timeline.h"

@@ -4,7 +4,7 @@
 #include <QFormLayout>
 #include <cmath>
 
-#include "app/commands/edit_output.h"
+#include "app/commands/objects/edit_output.h"
 #include "app/document/document.h"
 #include "app/panels/forms/output_panel.h"
 #include "app/widgets/rows.h"

@@ -11,7 +11,7 @@
 #include <iterator>
 #include <utility>
 
-#include "app/commands/edit_cameras.h"
+#include "app/commands/objects/edit_cameras.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/files/file_dialogs.h"

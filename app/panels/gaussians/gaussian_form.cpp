@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 #include <optional>
 
-#include "app/commands/edit_medium.h"
+#include "app/commands/gaussians/edit_medium.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/widgets/number_field.h"

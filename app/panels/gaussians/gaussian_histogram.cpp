@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/commands/select_command.h"
+#include "app/commands/gaussians/select_command.h"
 #include "app/document/document.h"
 #include "app/document/number_text.h"
 #include "app/widgets/application.h"

@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/commands/edit_groups.h"
-#include "app/commands/edit_medium.h"
-#include "app/commands/select_command.h"
+#include "app/commands/gaussians/edit_groups.h"
+#include "app/commands/gaussians/edit_medium.h"
+#include "app/commands/gaussians/select_command.h"
 #include "app/document/document.h"
 #include "app/panels/gaussians/filter_bar.h"
 #include "app/panels/gaussians/gaussian_form.h"

@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "app/commands/edit_medium.h"
+#include "app/commands/gaussians/edit_medium.h"
 #include "app/document/document.h"
 #include "app/document/number_text.h"
 #include "app/widgets/color_button.h"

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "app/commands/edit_cameras.h"
+#include "app/commands/objects/edit_cameras.h"
 #include "app/document/document.h"
 #include "app/panels/lists/name_delegate.h"
 #include "app/widgets/icons.h"

@@ -5,7 +5,7 @@
 #include <QTimer>
 #include <QTreeWidget>
 
-#include "app/commands/edit_groups.h"
+#include "app/commands/gaussians/edit_groups.h"
 #include "app/document/document.h"
 #include "app/panels/lists/name_delegate.h"
 #include "app/widgets/color_button.h"

@@ -8,11 +8,11 @@
 #include <QTreeWidgetItemIterator>
 #include <algorithm>
 
-#include "app/commands/edit_environment.h"
-#include "app/commands/edit_groups.h"
-#include "app/commands/edit_medium.h"
-#include "app/commands/edit_objects.h"
-#include "app/commands/edit_splines.h"
+#include "app/commands/gaussians/edit_groups.h"
+#include "app/commands/gaussians/edit_medium.h"
+#include "app/commands/gaussians/edit_splines.h"
+#include "app/commands/objects/edit_environment.h"
+#include "app/commands/objects/edit_objects.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/panels/lists/camera_rows.h"

@@ -3,7 +3,7 @@
 #include <QMenu>
 #include <QTreeWidget>
 
-#include "app/commands/edit_splines.h"
+#include "app/commands/gaussians/edit_splines.h"
 #include "app/document/document.h"
 #include "app/panels/lists/name_delegate.h"
 #include "app/widgets/icons.h"

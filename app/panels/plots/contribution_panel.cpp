@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "app/commands/edit_lights.h"
-#include "app/commands/select_command.h"
+#include "app/commands/gaussians/select_command.h"
+#include "app/commands/objects/edit_lights.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/document/number_text.h"

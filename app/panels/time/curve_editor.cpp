@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/commands/edit_keys.h"
+#include "app/commands/objects/edit_keys.h"
 #include "app/document/document.h"
 #include "app/document/timeline.h"
 #include "app/panels/time/key_menu.h"

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/commands/edit_keys.h"
+#include "app/commands/objects/edit_keys.h"
 #include "app/panels/time/dope_rows.h"
 #include "app/panels/time/time_ruler.h"
 #include "app/widgets/mouse_drag.h"

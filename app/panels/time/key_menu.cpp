@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/commands/edit_keys.h"
+#include "app/commands/objects/edit_keys.h"
 #include "app/document/document.h"
 #include "app/document/timeline.h"
 

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/commands/edit_keys.h"
+#include "app/commands/objects/edit_keys.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/number_text.h"

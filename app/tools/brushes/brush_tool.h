@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "app/commands/edit_gesture.h"
+#include "app/commands/gaussians/edit_gesture.h"
 #include "app/tools/stroke_path.h"
 #include "app/view/tool.h"
 #include "core/scene/camera_rays.h"

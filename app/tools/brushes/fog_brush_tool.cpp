@@ -11,7 +11,7 @@
 #include <numbers>
 #include <optional>
 
-#include "app/commands/edit_groups.h"
+#include "app/commands/gaussians/edit_groups.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/tools/brushes/brush_cursor.h"

@@ -5,8 +5,8 @@
 #include <QPushButton>
 #include <algorithm>
 
-#include "app/commands/edit_splines.h"
 #include "app/commands/gaussian_budget.h"
+#include "app/commands/gaussians/edit_splines.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/view/overlay.h"

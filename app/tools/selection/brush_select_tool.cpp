@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/commands/select_command.h"
+#include "app/commands/gaussians/select_command.h"
 #include "app/document/document.h"
 #include "app/tools/option_widgets.h"
 #include "app/view/view.h"

@@ -10,8 +10,8 @@
 #include <glm/trigonometric.hpp>
 #include <vector>
 
-#include "app/commands/edit_lights.h"
-#include "app/commands/edit_objects.h"
+#include "app/commands/objects/edit_lights.h"
+#include "app/commands/objects/edit_objects.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "app/tools/selection/sun_handle.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "app/commands/edit_medium.h"
-#include "app/commands/edit_objects.h"
+#include "app/commands/gaussians/edit_medium.h"
+#include "app/commands/objects/edit_objects.h"
 #include "app/document/document.h"
 #include "app/tools/selection/click_target.h"
 #include "app/tools/selection/emitter_mark.h"

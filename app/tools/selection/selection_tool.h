@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "app/commands/select_command.h"
+#include "app/commands/gaussians/select_command.h"
 #include "app/view/tool.h"
 
 namespace brume {

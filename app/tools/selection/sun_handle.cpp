@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "app/commands/edit_environment.h"
+#include "app/commands/objects/edit_environment.h"
 #include "app/document/document.h"
 #include "app/view/overlay.h"
 #include "app/widgets/interface_settings.h"

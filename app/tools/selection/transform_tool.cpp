@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "app/commands/edit_medium.h"
+#include "app/commands/gaussians/edit_medium.h"
 #include "app/document/document.h"
 #include "app/tools/option_widgets.h"
 #include "app/view/surface_picker.h"

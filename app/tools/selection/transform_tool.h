@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/commands/edit_objects.h"
+#include "app/commands/objects/edit_objects.h"
 #include "app/tools/selection/select_tool.h"
 #include "app/view/gizmo.h"
 #include "core/scene/camera_rays.h"

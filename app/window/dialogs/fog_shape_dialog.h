@@ -2,7 +2,7 @@
 
 #include <QDialog>
 
-#include "app/commands/add_fog.h"
+#include "app/commands/gaussians/add_fog.h"
 
 class QComboBox;
 class QLabel;

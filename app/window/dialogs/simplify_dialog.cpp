@@ -4,7 +4,7 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "app/commands/simplify_gaussians.h"
+#include "app/commands/gaussians/simplify_gaussians.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/document/number_text.h"

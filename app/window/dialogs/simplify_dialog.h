@@ -3,7 +3,7 @@
 #include <QDialog>
 #include <QTimer>
 
-#include "app/commands/operation_numbers.h"
+#include "app/commands/gaussians/operation_numbers.h"
 #include "app/jobs/background_job.h"
 
 class QLabel;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "app/commands/add_fog.h"
+#include "app/commands/gaussians/add_fog.h"
 #include "app/document/document.h"
 #include "app/view/bounds.h"
 #include "app/view/floor.h"

@@ -1,7 +1,7 @@
 #include <QCoreApplication>
 #include <QMenu>
 
-#include "app/commands/edit_groups.h"
+#include "app/commands/gaussians/edit_groups.h"
 #include "app/document/document.h"
 #include "app/widgets/color_button.h"
 #include "app/window/menus/menus.h"

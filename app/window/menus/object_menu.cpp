@@ -6,11 +6,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/commands/edit_cameras.h"
-#include "app/commands/edit_emitters.h"
-#include "app/commands/edit_medium.h"
-#include "app/commands/edit_objects.h"
-#include "app/commands/select_command.h"
+#include "app/commands/gaussians/edit_medium.h"
+#include "app/commands/gaussians/select_command.h"
+#include "app/commands/objects/edit_cameras.h"
+#include "app/commands/objects/edit_emitters.h"
+#include "app/commands/objects/edit_objects.h"
 #include "app/document/document.h"
 #include "app/document/object_titles.h"
 #include "app/import/scene_import.h"

@@ -1,8 +1,8 @@
-#include "app/commands/edit_materials.h"
+#include "app/commands/objects/edit_materials.h"
 
 #include <algorithm>
 
-#include "app/commands/edit_objects.h"
+#include "app/commands/objects/edit_objects.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "core/scene/imported_scene.h"

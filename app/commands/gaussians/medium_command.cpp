@@ -1,4 +1,4 @@
-#include "app/commands/medium_command.h"
+#include "app/commands/gaussians/medium_command.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "app/commands/edit_lights.h"
+#include "app/commands/objects/edit_lights.h"
 
 #include <QtGlobal>
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "app/commands/operation_numbers.h"
+#include "app/commands/gaussians/operation_numbers.h"
 #include "brume/medium.h"
 #include "core/authoring/simplify.h"
 

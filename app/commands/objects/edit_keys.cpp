@@ -1,11 +1,11 @@
-#include "app/commands/edit_keys.h"
+#include "app/commands/objects/edit_keys.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "app/commands/edit_cameras.h"
+#include "app/commands/objects/edit_cameras.h"
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"

@@ -1,4 +1,4 @@
-#include "app/commands/edit_gesture.h"
+#include "app/commands/gaussians/edit_gesture.h"
 
 #include "app/commands/gaussian_budget.h"
 #include "app/document/document.h"

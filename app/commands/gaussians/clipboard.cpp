@@ -1,4 +1,4 @@
-#include "app/commands/clipboard.h"
+#include "app/commands/gaussians/clipboard.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
@@ -9,8 +9,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "app/commands/edit_groups.h"
-#include "app/commands/edit_medium.h"
+#include "app/commands/gaussians/edit_groups.h"
+#include "app/commands/gaussians/edit_medium.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "app/document/number_text.h"

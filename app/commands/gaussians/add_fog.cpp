@@ -1,13 +1,13 @@
-#include "app/commands/add_fog.h"
+#include "app/commands/gaussians/add_fog.h"
 
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
 
-#include "app/commands/edit_medium.h"
 #include "app/commands/gaussian_budget.h"
+#include "app/commands/gaussians/edit_medium.h"
+#include "app/commands/gaussians/select_command.h"
 #include "app/commands/scene_part_command.h"
-#include "app/commands/select_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"

@@ -1,4 +1,4 @@
-#include "app/commands/edit_output.h"
+#include "app/commands/objects/edit_output.h"
 
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"

@@ -1,9 +1,9 @@
-#include "app/commands/simplify_gaussians.h"
+#include "app/commands/gaussians/simplify_gaussians.h"
 
 #include <algorithm>
 #include <iterator>
 
-#include "app/commands/edit_medium.h"
+#include "app/commands/gaussians/edit_medium.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"

@@ -1,12 +1,12 @@
-#include "app/commands/edit_groups.h"
+#include "app/commands/gaussians/edit_groups.h"
 
 #include <algorithm>
 #include <array>
 #include <set>
 
 #include "app/commands/allowed_name.h"
+#include "app/commands/gaussians/select_command.h"
 #include "app/commands/scene_part_command.h"
-#include "app/commands/select_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"

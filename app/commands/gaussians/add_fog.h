@@ -4,7 +4,7 @@
 #include <span>
 #include <variant>
 
-#include "app/commands/operation_numbers.h"
+#include "app/commands/gaussians/operation_numbers.h"
 
 namespace brume {
 

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "app/commands/medium_command.h"
+#include "app/commands/gaussians/medium_command.h"
 
 namespace brume {
 

@@ -1,8 +1,8 @@
-#include "app/commands/edit_emitters.h"
+#include "app/commands/objects/edit_emitters.h"
 
 #include <algorithm>
 
-#include "app/commands/edit_medium.h"
+#include "app/commands/gaussians/edit_medium.h"
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"

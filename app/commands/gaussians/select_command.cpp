@@ -1,4 +1,4 @@
-#include "app/commands/select_command.h"
+#include "app/commands/gaussians/select_command.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "app/commands/edit_cameras.h"
+#include "app/commands/objects/edit_cameras.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,8 +1,8 @@
-#include "app/commands/edit_splines.h"
+#include "app/commands/gaussians/edit_splines.h"
 
 #include "app/commands/allowed_name.h"
+#include "app/commands/gaussians/select_command.h"
 #include "app/commands/scene_part_command.h"
-#include "app/commands/select_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 

@@ -1,11 +1,11 @@
-#include "app/commands/edit_medium.h"
+#include "app/commands/gaussians/edit_medium.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "app/commands/edit_groups.h"
 #include "app/commands/gaussian_budget.h"
+#include "app/commands/gaussians/edit_groups.h"
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"

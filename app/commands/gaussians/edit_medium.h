@@ -3,7 +3,7 @@
 #include <functional>
 #include <span>
 
-#include "app/commands/medium_command.h"
+#include "app/commands/gaussians/medium_command.h"
 #include "app/document/arithmetic.h"
 #include "app/document/gaussian_attribute.h"
 

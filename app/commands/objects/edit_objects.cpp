@@ -1,4 +1,4 @@
-#include "app/commands/edit_objects.h"
+#include "app/commands/objects/edit_objects.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "app/commands/allowed_name.h"
-#include "app/commands/edit_emitters.h"
-#include "app/commands/edit_lights.h"
+#include "app/commands/objects/edit_emitters.h"
+#include "app/commands/objects/edit_lights.h"
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
