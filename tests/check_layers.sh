@@ -120,7 +120,9 @@ render/output/*.[hc]*:$values render/display/
 render/deep/*.[hc]*:$values render/frame_renderer.h render/render_plan.h render/util/ render/transfer/ $surfaces render/prepare/ render/samples/ render/cpu/ render/output/
 render/splats/*.[hc]*:$values render/display/ render/render_plan.h render/util/ render/transfer/ $surfaces render/prepare/ render/cpu/
 render/quality/*.[hc]*:$values render/frame_renderer.h render/util/ render/geometry/ render/samples/ render/prepare/ render/reference/ render/visibility/ render/render_plan.h render/paths/
-app/document/*.[hc]*:
+app/document/text/*.[hc]*:
+app/document/*.[hc]*:app/document/text/
+app/document/time/*.[hc]*:app/document/[a-z_]+.h app/document/text/
 app/commands/*.[hc]*:app/document/
 app/commands/gaussians/*.[hc]*:app/document/ app/commands/[a-z_]+.h
 app/commands/objects/*.[hc]*:app/document/ app/commands/[a-z_]+.h app/commands/gaussians/

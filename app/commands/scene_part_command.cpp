@@ -4,7 +4,7 @@
 
 #include "app/commands/gaussian_budget.h"
 #include "app/document/document.h"
-#include "app/document/keyframe_tracks.h"
+#include "app/document/time/keyframe_tracks.h"
 
 namespace brume {
 namespace {

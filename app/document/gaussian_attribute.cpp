@@ -6,10 +6,10 @@
 #include <glm/common.hpp>
 #include <limits>
 
-#include "app/document/arithmetic.h"
 #include "app/document/euler_angles.h"
-#include "app/document/number_text.h"
-#include "app/document/words.h"
+#include "app/document/text/arithmetic.h"
+#include "app/document/text/number_text.h"
+#include "app/document/text/words.h"
 #include "core/math/max_component.h"
 #include "core/math/rounded.h"
 #include "core/scene/lights/photometry.h"

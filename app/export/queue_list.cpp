@@ -15,8 +15,8 @@
 #include <functional>
 #include <utility>
 
-#include "app/document/number_text.h"
 #include "app/document/paths.h"
+#include "app/document/text/number_text.h"
 #include "app/export/render_queue.h"
 #include "app/widgets/plain_text.h"
 #include "app/widgets/question.h"

@@ -1,7 +1,7 @@
 #include "app/export/video_file.h"
 
-#include "app/document/number_text.h"
 #include "app/document/paths.h"
+#include "app/document/text/number_text.h"
 #include "app/files/picture_format.h"
 #include "brume/error.h"
 #include "core/io/mp4_arguments.h"

@@ -1,6 +1,6 @@
 #include "app/files/scene_load.h"
 
-#include "app/document/words.h"
+#include "app/document/text/words.h"
 
 namespace brume {
 

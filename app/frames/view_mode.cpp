@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/document/number_text.h"
+#include "app/document/text/number_text.h"
 #include "app/frames/error_map.h"
 #include "app/widgets/frame_image.h"
 #include "app/widgets/frame_text.h"

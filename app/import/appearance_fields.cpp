@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "app/document/number_text.h"
+#include "app/document/text/number_text.h"
 #include "app/widgets/rows.h"
 #include "core/number_domain.h"
 

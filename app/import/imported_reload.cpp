@@ -4,7 +4,7 @@
 #include <set>
 
 #include "app/document/document.h"
-#include "app/document/words.h"
+#include "app/document/text/words.h"
 #include "app/import/add_imported.h"
 #include "core/io/import/imported_scene_file.h"
 

@@ -7,7 +7,7 @@
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
-#include "app/document/words.h"
+#include "app/document/text/words.h"
 #include "app/files/file_dialogs.h"
 #include "app/import/add_asset.h"
 #include "app/import/add_imported.h"

@@ -5,7 +5,7 @@
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
-#include "app/document/words.h"
+#include "app/document/text/words.h"
 #include "app/import/folder_dialog.h"
 #include "app/import/import_kind.h"
 #include "app/import/scene_import.h"

@@ -13,8 +13,8 @@
 #include <cmath>
 #include <exception>
 
-#include "app/document/number_text.h"
 #include "app/document/paths.h"
+#include "app/document/text/number_text.h"
 #include "app/import/appearance_fields.h"
 #include "app/import/folder_dialog.h"
 #include "app/widgets/frame_text.h"

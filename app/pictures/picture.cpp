@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "app/document/number_text.h"
+#include "app/document/text/number_text.h"
 #include "app/widgets/frame_image.h"
 #include "app/widgets/frame_text.h"
 #include "brume/frame.h"

@@ -6,7 +6,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "app/document/number_text.h"
+#include "app/document/text/number_text.h"
 #include "app/pictures/picture_scope.h"
 #include "app/pictures/slot_strip.h"
 #include "app/widgets/frame_text.h"

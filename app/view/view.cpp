@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "app/document/document.h"
-#include "app/document/scene_at.h"
+#include "app/document/time/scene_at.h"
 #include "app/view/bounds.h"
 #include "app/view/gizmo.h"
 #include "app/view/object_box.h"

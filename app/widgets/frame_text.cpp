@@ -4,7 +4,7 @@
 #include <QLocale>
 #include <algorithm>
 
-#include "app/document/number_text.h"
+#include "app/document/text/number_text.h"
 #include "brume/frame.h"
 #include "brume/render.h"
 #include "render/quality/frame_errors.h"

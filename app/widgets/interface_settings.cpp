@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/document/number_text.h"
+#include "app/document/text/number_text.h"
 #include "app/widgets/color_button.h"
 
 namespace brume {

@@ -3,7 +3,7 @@
 #include <QKeyEvent>
 
 #include "app/document/gaussian_attribute.h"
-#include "app/document/number_text.h"
+#include "app/document/text/number_text.h"
 #include "app/widgets/field_filter.h"
 #include "app/widgets/interface_settings.h"
 

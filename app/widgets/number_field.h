@@ -3,13 +3,13 @@
 #include <QLineEdit>
 #include <optional>
 
-#include "app/document/arithmetic.h"
+#include "app/document/text/arithmetic.h"
 
 namespace brume {
 
 // A number field that may be empty ("–") or mixed. It takes numbers, arithmetic, and changes of
-// what it shows, such as "*2" (see app/document/arithmetic.h). Enter and leaving the field commit,
-// Escape reverts; both keys return the focus to the view.
+// what it shows, such as "*2" (see app/document/text/arithmetic.h). Enter and leaving the field
+// commit, Escape reverts; both keys return the focus to the view.
 class NumberField : public QLineEdit {
   Q_OBJECT
  public:

@@ -5,7 +5,7 @@
 #include <QLocale>
 #include <QTranslator>
 
-#include "app/document/words.h"
+#include "app/document/text/words.h"
 
 namespace brume {
 namespace {

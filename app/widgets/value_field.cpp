@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "app/document/gaussian_attribute.h"
-#include "app/document/words.h"
+#include "app/document/text/words.h"
 #include "app/widgets/number_field.h"
 #include "core/math/rounded.h"
 

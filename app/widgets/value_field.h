@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/commands/gaussians/medium_command.h"
-#include "app/document/arithmetic.h"
+#include "app/document/text/arithmetic.h"
 #include "app/widgets/mouse_drag.h"
 #include "core/number_domain.h"
 

@@ -13,7 +13,7 @@
 
 #include "app/assets/asset_panel.h"
 #include "app/document/document.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/panels/forms/adjust_panel.h"
 #include "app/panels/forms/emitter_panel.h"
 #include "app/panels/forms/group_panel.h"

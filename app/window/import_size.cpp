@@ -7,8 +7,8 @@
 
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
-#include "app/document/number_text.h"
 #include "app/document/object_titles.h"
+#include "app/document/text/number_text.h"
 #include "app/view/bounds.h"
 #include "app/view/floor.h"
 #include "app/view/surface_picker.h"

@@ -17,7 +17,7 @@
 
 #include "app/assets/asset_files.h"
 #include "app/document/paths.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/export/queue_list.h"
 #include "app/export/render_queue.h"
 #include "app/files/recent_pictures.h"

@@ -8,7 +8,7 @@
 
 #include "app/document/document.h"
 #include "app/document/paths.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/files/file_dialogs.h"
 #include "app/viewport/view_grid.h"
 #include "app/widgets/frame_text.h"

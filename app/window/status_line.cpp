@@ -6,7 +6,7 @@
 #include <QStatusBar>
 
 #include "app/document/document.h"
-#include "app/document/number_text.h"
+#include "app/document/text/number_text.h"
 #include "app/frames/quality_words.h"
 #include "app/jobs/job_bar.h"
 #include "app/tools/tool_box.h"

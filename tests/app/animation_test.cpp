@@ -11,7 +11,7 @@
 
 #include "app/commands/gaussians/edit_medium.h"
 #include "app/commands/objects/edit_emitters.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/files/scene_files.h"
 #include "app/panels/forms/key_button.h"
 #include "app/tools/brushes/airbrush_tool.h"

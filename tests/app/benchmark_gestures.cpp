@@ -20,7 +20,7 @@
 #include "app/commands/gaussians/select_command.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/files/scene_files.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/viewport.h"

@@ -8,7 +8,7 @@
 #include <QTabWidget>
 #include <QToolButton>
 
-#include "app/document/keyframe_tracks.h"
+#include "app/document/time/keyframe_tracks.h"
 #include "app/panels/forms/key_button.h"
 #include "app/panels/time/dope_sheet.h"
 #include "app/panels/time/timeline_bar.h"

@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "app/commands/objects/edit_emitters.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/panels/gaussians/gaussian_filter.h"
 #include "app/widgets/color_button.h"
 #include "core/scene/lights/photometry.h"

@@ -10,7 +10,7 @@
 
 #include "app/commands/objects/edit_lights.h"
 #include "app/commands/objects/edit_objects.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/panels/time/curve_panel.h"
 #include "app/panels/time/dope_sheet.h"
 #include "app/panels/time/time_ruler.h"

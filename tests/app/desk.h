@@ -4,7 +4,7 @@
 #include <QWidget>
 
 #include "app/document/document.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/tools/tool_box.h"
 #include "app/view/surface_picker.h"
 #include "app/view/view.h"

@@ -6,7 +6,7 @@
 #include "app/commands/objects/edit_lights.h"
 #include "app/commands/objects/edit_objects.h"
 #include "app/commands/scene_part_command.h"
-#include "app/document/number_text.h"
+#include "app/document/text/number_text.h"
 #include "app/panels/gaussians/gaussian_table_model.h"
 #include "core/io/scene/scene_file.h"
 #include "tests/app/test_window.h"

@@ -5,7 +5,7 @@
 
 #include "app/commands/objects/edit_cameras.h"
 #include "app/commands/objects/edit_objects.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/panels/time/dope_sheet.h"
 #include "app/panels/time/timeline_bar.h"
 #include "tests/app/desk.h"

@@ -4,7 +4,7 @@
 #include <QLabel>
 #include <QSignalSpy>
 
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/panels/time/dope_sheet.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/mouse_drag.h"

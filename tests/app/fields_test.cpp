@@ -15,7 +15,7 @@
 #include <functional>
 
 #include "app/commands/gaussians/edit_medium.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/files/scene_files.h"
 #include "app/panels/gaussians/gaussian_panel.h"
 #include "app/panels/lists/outliner.h"

@@ -14,7 +14,7 @@
 #include "app/commands/objects/edit_objects.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/export/render_queue.h"
 #include "app/import/scene_import.h"
 #include "app/view/object_box.h"

@@ -6,7 +6,7 @@
 
 #include "app/commands/gaussians/edit_groups.h"
 #include "app/commands/objects/edit_keys.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/panels/time/timeline_bar.h"
 #include "brume/at_time.h"
 #include "core/scene/group_effects.h"

@@ -4,7 +4,7 @@
 #include <QSpinBox>
 #include <fstream>
 
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/files/scene_files.h"
 #include "app/import/folder_dialog.h"
 #include "app/import/scene_import.h"

@@ -6,7 +6,7 @@
 #include "app/commands/gaussians/edit_medium.h"
 #include "app/commands/objects/edit_lights.h"
 #include "app/commands/objects/edit_objects.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/panels/time/dope_sheet.h"
 #include "app/panels/time/time_ruler.h"
 #include "app/panels/time/timeline_bar.h"

@@ -6,7 +6,7 @@
 #include <QTableView>
 #include <array>
 
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/panels/gaussians/gaussian_panel.h"
 #include "app/panels/lists/outliner.h"
 #include "app/panels/time/curve_editor.h"

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "app/document/number_text.h"
+#include "app/document/text/number_text.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

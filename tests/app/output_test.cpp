@@ -11,7 +11,7 @@
 
 #include "app/commands/gaussians/edit_medium.h"
 #include "app/document/paths.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/export/render_queue.h"
 #include "app/pictures/picture_viewer.h"
 #include "app/viewport/camera_frame.h"

@@ -8,7 +8,7 @@
 
 #include "app/commands/objects/edit_cameras.h"
 #include "app/document/paths.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/panels/forms/camera_panel.h"
 #include "app/panels/forms/plate_panel.h"
 #include "app/pictures/picture_viewer.h"

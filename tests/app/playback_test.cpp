@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "app/commands/gaussians/edit_medium.h"
-#include "app/document/playback_rate.h"
-#include "app/document/timeline.h"
+#include "app/document/time/playback_rate.h"
+#include "app/document/time/timeline.h"
 #include "app/frames/picture_cache.h"
 #include "app/panels/time/playback_label.h"
 #include "app/panels/time/time_ruler.h"

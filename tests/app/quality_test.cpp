@@ -10,7 +10,7 @@
 #include <QTreeWidget>
 #include <algorithm>
 
-#include "app/document/number_text.h"
+#include "app/document/text/number_text.h"
 #include "app/frames/error_meter.h"
 #include "app/frames/quality_words.h"
 #include "app/panels/plots/frontier_plot.h"

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "app/document/paths.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/export/render_queue.h"
 #include "core/io/image/image_file.h"
 #include "tests/app/test_window.h"

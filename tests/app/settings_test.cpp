@@ -5,8 +5,8 @@
 #include <QMenu>
 #include <glm/geometric.hpp>
 
-#include "app/document/arithmetic.h"
 #include "app/document/gaussian_attribute.h"
+#include "app/document/text/arithmetic.h"
 #include "app/files/scene_files.h"
 #include "app/viewport/view_grid.h"
 #include "app/widgets/application.h"

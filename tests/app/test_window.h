@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "app/document/keyframe_tracks.h"
+#include "app/document/time/keyframe_tracks.h"
 #include "app/jobs/job_bar.h"
 #include "app/window/main_window.h"
 #include "brume/scene.h"

@@ -10,7 +10,7 @@
 #include <QTranslator>
 #include <QTreeWidget>
 
-#include "app/document/words.h"
+#include "app/document/text/words.h"
 #include "app/widgets/mnemonics.h"
 #include "app/widgets/translation.h"
 #include "tests/app/every_dialog.h"

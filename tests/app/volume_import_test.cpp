@@ -10,7 +10,7 @@
 
 #include "app/commands/gaussians/edit_medium.h"
 #include "app/commands/gaussians/select_command.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/files/scene_files.h"
 #include "app/import/scene_import.h"
 #include "app/import/volume_dialog.h"

@@ -11,7 +11,7 @@
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
-#include "app/document/words.h"
+#include "app/document/text/words.h"
 #include "core/math/rounded.h"
 
 namespace brume {

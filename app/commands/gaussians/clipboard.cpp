@@ -13,7 +13,7 @@
 #include "app/commands/gaussians/edit_medium.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
-#include "app/document/number_text.h"
+#include "app/document/text/number_text.h"
 #include "brume/error.h"
 #include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/gaussians/gaussian_csv.h"

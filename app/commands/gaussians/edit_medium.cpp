@@ -9,7 +9,7 @@
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
-#include "app/document/number_text.h"
+#include "app/document/text/number_text.h"
 #include "core/number_domain.h"
 
 namespace brume {

@@ -4,8 +4,8 @@
 #include <span>
 
 #include "app/commands/gaussians/medium_command.h"
-#include "app/document/arithmetic.h"
 #include "app/document/gaussian_attribute.h"
+#include "app/document/text/arithmetic.h"
 
 namespace brume {
 

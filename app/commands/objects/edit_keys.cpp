@@ -9,7 +9,7 @@
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
-#include "app/document/words.h"
+#include "app/document/text/words.h"
 
 namespace brume {
 namespace {

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "app/commands/merge_id.h"
-#include "app/document/keyframe_curves.h"
+#include "app/document/time/keyframe_curves.h"
 
 namespace brume {
 

@@ -19,7 +19,7 @@
 #include "app/commands/objects/edit_cameras.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
-#include "app/document/words.h"
+#include "app/document/text/words.h"
 #include "app/panels/forms/plate_panel.h"
 #include "app/widgets/keys.h"
 #include "app/widgets/mnemonics.h"

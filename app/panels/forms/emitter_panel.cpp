@@ -10,7 +10,7 @@
 #include "app/commands/objects/edit_objects.h"
 #include "app/document/document.h"
 #include "app/document/object_titles.h"
-#include "app/document/words.h"
+#include "app/document/text/words.h"
 #include "app/widgets/emission_editor.h"
 #include "app/widgets/keys.h"
 #include "app/widgets/number_field.h"

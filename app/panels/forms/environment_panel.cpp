@@ -9,7 +9,7 @@
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
-#include "app/document/words.h"
+#include "app/document/text/words.h"
 #include "app/files/file_dialogs.h"
 #include "app/frames/view_mode.h"
 #include "app/widgets/plain_text.h"

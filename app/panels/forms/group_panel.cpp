@@ -8,7 +8,7 @@
 
 #include "app/commands/gaussians/edit_groups.h"
 #include "app/document/document.h"
-#include "app/document/words.h"
+#include "app/document/text/words.h"
 #include "app/widgets/rows.h"
 #include "core/scene/fields/group_fields.h"
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "app/document/keyframe_tracks.h"
+#include "app/document/time/keyframe_tracks.h"
 
 class QMenu;
 

@@ -9,7 +9,7 @@
 #include "app/document/document.h"
 #include "app/document/euler_angles.h"
 #include "app/document/object_titles.h"
-#include "app/document/words.h"
+#include "app/document/text/words.h"
 #include "app/files/file_dialogs.h"
 #include "app/panels/forms/metallic_roughness_form.h"
 #include "app/widgets/rows.h"

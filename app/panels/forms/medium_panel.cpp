@@ -13,7 +13,7 @@
 #include "app/commands/gaussians/edit_medium.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
-#include "app/document/words.h"
+#include "app/document/text/words.h"
 #include "app/widgets/rows.h"
 #include "core/number_domain.h"
 #include "core/scene/fields/medium_fields.h"

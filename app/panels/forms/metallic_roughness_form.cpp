@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "app/document/document.h"
-#include "app/document/words.h"
+#include "app/document/text/words.h"
 #include "app/files/file_dialogs.h"
 #include "app/widgets/plain_text.h"
 #include "app/widgets/rows.h"

@@ -11,7 +11,7 @@
 #include "app/commands/objects/edit_output.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/files/file_dialogs.h"
 #include "app/files/numbered_file.h"
 #include "app/files/picture_format.h"

@@ -14,7 +14,7 @@
 #include "app/commands/objects/edit_output.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/files/picture_format.h"
 #include "app/widgets/layer_boxes.h"
 #include "app/widgets/method_box.h"

@@ -7,7 +7,7 @@
 #include <QLabel>
 
 #include "app/document/document.h"
-#include "app/document/words.h"
+#include "app/document/text/words.h"
 #include "app/panels/forms/key_button.h"
 #include "app/widgets/color_button.h"
 #include "app/widgets/rows.h"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/document/keyframe_tracks.h"
+#include "app/document/time/keyframe_tracks.h"
 #include "app/widgets/value_field.h"
 #include "core/number_domain.h"
 #include "core/scene/fields/field.h"

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "app/commands/merge_id.h"
-#include "app/document/arithmetic.h"
 #include "app/document/euler_angles.h"
 #include "app/document/gaussian_attribute.h"
+#include "app/document/text/arithmetic.h"
 #include "app/widgets/optics_editor.h"
 
 class QFormLayout;

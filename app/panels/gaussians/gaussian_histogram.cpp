@@ -9,7 +9,7 @@
 
 #include "app/commands/gaussians/select_command.h"
 #include "app/document/document.h"
-#include "app/document/number_text.h"
+#include "app/document/text/number_text.h"
 #include "app/widgets/application.h"
 
 namespace brume {

@@ -8,7 +8,7 @@
 
 #include "app/commands/gaussians/edit_medium.h"
 #include "app/document/document.h"
-#include "app/document/number_text.h"
+#include "app/document/text/number_text.h"
 #include "app/widgets/color_button.h"
 #include "app/widgets/plain_text.h"
 #include "app/widgets/rows.h"

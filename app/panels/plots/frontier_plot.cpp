@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/document/number_text.h"
+#include "app/document/text/number_text.h"
 #include "app/frames/frame_quality.h"
 #include "app/widgets/frame_text.h"
 

@@ -4,7 +4,7 @@
 #include <QSettings>
 #include <QVBoxLayout>
 
-#include "app/document/number_text.h"
+#include "app/document/text/number_text.h"
 #include "app/frames/frame_scheduler.h"
 #include "app/panels/plots/frontier_plot.h"
 #include "app/widgets/frame_text.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "app/document/number_text.h"
-#include "app/document/timeline.h"
+#include "app/document/text/number_text.h"
+#include "app/document/time/timeline.h"
 
 namespace brume {
 

@@ -4,7 +4,7 @@
 #include <QSizeF>
 #include <vector>
 
-#include "app/document/keyframe_curves.h"
+#include "app/document/time/keyframe_curves.h"
 #include "app/panels/time/time_ruler.h"
 
 class QPainter;

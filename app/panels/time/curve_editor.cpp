@@ -11,7 +11,7 @@
 
 #include "app/commands/objects/edit_keys.h"
 #include "app/document/document.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/panels/time/key_menu.h"
 #include "app/widgets/application.h"
 #include "app/widgets/keys.h"

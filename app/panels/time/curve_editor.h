@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/commands/merge_id.h"
-#include "app/document/keyframe_curves.h"
+#include "app/document/time/keyframe_curves.h"
 #include "app/panels/time/curve_axes.h"
 #include "app/panels/time/curve_marks.h"
 #include "app/widgets/mouse_drag.h"

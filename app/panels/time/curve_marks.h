@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/document/keyframe_curves.h"
+#include "app/document/time/keyframe_curves.h"
 
 namespace brume {
 

@@ -4,7 +4,7 @@
 #include <set>
 #include <vector>
 
-#include "app/document/keyframe_tracks.h"
+#include "app/document/time/keyframe_tracks.h"
 
 namespace brume {
 

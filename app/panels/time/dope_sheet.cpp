@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "app/document/document.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/panels/time/key_menu.h"
 #include "app/widgets/application.h"
 #include "app/widgets/keys.h"

@@ -7,7 +7,7 @@
 
 #include "app/commands/objects/edit_keys.h"
 #include "app/document/document.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 
 namespace brume {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/document/number_text.h"
-#include "app/document/timeline.h"
+#include "app/document/text/number_text.h"
+#include "app/document/time/timeline.h"
 
 namespace brume {
 

@@ -3,7 +3,7 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
-#include "app/document/playback_rate.h"
+#include "app/document/time/playback_rate.h"
 #include "app/widgets/plain_text.h"
 
 namespace brume {

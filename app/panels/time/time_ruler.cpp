@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/document/number_text.h"
-#include "app/document/timeline.h"
+#include "app/document/text/number_text.h"
+#include "app/document/time/timeline.h"
 #include "app/widgets/application.h"
 
 namespace brume {

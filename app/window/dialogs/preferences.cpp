@@ -15,7 +15,7 @@
 #include <thread>
 
 #include "app/document/autosave.h"
-#include "app/document/number_text.h"
+#include "app/document/text/number_text.h"
 #include "app/widgets/interface_settings.h"
 #include "app/widgets/mnemonics.h"
 #include "app/widgets/rows.h"

@@ -7,7 +7,7 @@
 #include "app/commands/gaussians/simplify_gaussians.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
-#include "app/document/number_text.h"
+#include "app/document/text/number_text.h"
 #include "app/panels/forms/numbers_form.h"
 #include "app/widgets/rows.h"
 

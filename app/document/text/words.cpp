@@ -1,4 +1,4 @@
-#include "app/document/words.h"
+#include "app/document/text/words.h"
 
 #include <QCoreApplication>
 

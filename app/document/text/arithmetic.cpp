@@ -1,4 +1,4 @@
-#include "app/document/arithmetic.h"
+#include "app/document/text/arithmetic.h"
 
 #include <charconv>
 

@@ -1,4 +1,4 @@
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 
 #include <algorithm>
 #include <cmath>

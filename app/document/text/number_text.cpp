@@ -1,4 +1,4 @@
-#include "app/document/number_text.h"
+#include "app/document/text/number_text.h"
 
 #include <QLocale>
 #include <algorithm>

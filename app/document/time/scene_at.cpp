@@ -1,4 +1,4 @@
-#include "app/document/scene_at.h"
+#include "app/document/time/scene_at.h"
 
 #include "brume/at_time.h"
 #include "brume/error.h"

@@ -1,4 +1,4 @@
-#include "app/document/keyframe_tracks.h"
+#include "app/document/time/keyframe_tracks.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "app/document/object_titles.h"
-#include "app/document/visit_keyed_part.h"
-#include "app/document/words.h"
+#include "app/document/text/words.h"
+#include "app/document/time/visit_keyed_part.h"
 #include "core/number_domain.h"
 #include "core/scene/animation/keys_in_domain.h"
 #include "core/scene/imported_scene.h"

@@ -1,4 +1,4 @@
-#include "app/document/playback_rate.h"
+#include "app/document/time/playback_rate.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/document/keyframe_tracks.h"
+#include "app/document/time/keyframe_tracks.h"
 #include "core/number_domain.h"
 
 namespace brume {

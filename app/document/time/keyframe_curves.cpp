@@ -1,8 +1,8 @@
-#include "app/document/keyframe_curves.h"
+#include "app/document/time/keyframe_curves.h"
 
 #include <QCoreApplication>
 
-#include "app/document/visit_keyed_part.h"
+#include "app/document/time/visit_keyed_part.h"
 #include "core/scene/animation/keys_in_domain.h"
 
 namespace brume {
