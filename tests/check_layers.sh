@@ -11,6 +11,7 @@ includes=$(grep -rnE '^\s*#\s*include\s*[<"]' include core render app tools \
 }
 
 panels='app/document/ app/commands/ app/widgets/ app/jobs/ app/files/ app/view/ app/frames/'
+view='app/document/ app/widgets/ app/jobs/'
 tools='app/document/ app/commands/ app/widgets/ app/view/'
 values='render/settings.h render/motion.h'
 light='render/optical_depth/ render/lights/ render/grid/ render/slices/ render/scattering/'
@@ -132,7 +133,10 @@ app/pictures/*.[hc]*:app/document/ app/widgets/ app/jobs/
 app/files/*.[hc]*:app/document/ app/widgets/ app/jobs/
 app/export/*.[hc]*:app/document/ app/widgets/ app/jobs/ app/files/ app/pictures/
 app/import/*.[hc]*:app/document/ app/commands/ app/widgets/ app/jobs/ app/files/
-app/view/*.[hc]*:app/document/ app/widgets/ app/jobs/
+app/view/surface_picker.[hc]*:$view
+app/view/drawing/*.[hc]*:$view
+app/view/camera/*.[hc]*:$view app/view/surface_picker.h app/view/drawing/
+app/view/*.[hc]*:$view app/view/drawing/ app/view/camera/
 app/frames/*.[hc]*:app/document/ app/widgets/ app/jobs/ app/view/
 app/tools/option_widgets.[hc]*:$tools
 app/tools/stroke_path.[hc]*:$tools

@@ -11,7 +11,7 @@
 #include "app/files/recent_pictures.h"
 #include "app/import/add_imported.h"
 #include "app/import/import_kind.h"
-#include "app/view/bounds.h"
+#include "app/view/camera/bounds.h"
 #include "app/widgets/frame_image.h"
 #include "brume/at_time.h"
 #include "brume/files.h"

@@ -9,7 +9,7 @@
 #include "app/tools/brushes/brush_cursor.h"
 #include "app/tools/option_widgets.h"
 #include "app/tools/selection/emitter_mark.h"
-#include "app/view/gizmo.h"
+#include "app/view/drawing/gizmo.h"
 #include "app/view/view.h"
 #include "app/widgets/application.h"
 #include "app/widgets/interface_settings.h"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/document/document.h"
-#include "app/view/camera_controller.h"
+#include "app/view/camera/camera_controller.h"
 #include "app/widgets/color_button.h"
 
 namespace brume {

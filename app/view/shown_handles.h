@@ -2,7 +2,7 @@
 
 #include <QObject>
 
-#include "app/view/handles.h"
+#include "app/view/drawing/handles.h"
 
 namespace brume {
 

@@ -10,9 +10,9 @@
 
 #include "app/document/document.h"
 #include "app/document/time/scene_at.h"
-#include "app/view/bounds.h"
-#include "app/view/gizmo.h"
-#include "app/view/object_box.h"
+#include "app/view/camera/bounds.h"
+#include "app/view/camera/object_box.h"
+#include "app/view/drawing/gizmo.h"
 #include "app/view/paint_point.h"
 #include "app/view/surface_picker.h"
 #include "brume/at_time.h"

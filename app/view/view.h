@@ -5,7 +5,7 @@
 #include <QString>
 #include <memory>
 
-#include "app/view/camera_controller.h"
+#include "app/view/camera/camera_controller.h"
 #include "app/view/shown_handles.h"
 #include "core/authoring/contribution.h"
 #include "core/scene/camera_rays.h"

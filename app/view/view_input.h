@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/view/fly_keys.h"
-#include "app/view/navigation.h"
+#include "app/view/camera/fly_keys.h"
+#include "app/view/camera/navigation.h"
 #include "app/widgets/mouse_drag.h"
 
 class QMouseEvent;

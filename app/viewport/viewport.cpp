@@ -6,8 +6,8 @@
 
 #include "app/document/document.h"
 #include "app/document/object_titles.h"
-#include "app/view/camera_outline.h"
-#include "app/view/ground_grid.h"
+#include "app/view/drawing/camera_outline.h"
+#include "app/view/drawing/ground_grid.h"
 #include "app/view/tool.h"
 #include "app/viewport/camera_frame.h"
 #include "app/viewport/legend.h"

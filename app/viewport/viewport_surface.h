@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "app/view/overlay.h"
+#include "app/view/drawing/overlay.h"
 #include "render/gl/context.h"
 #include "render/gl/picture_pool.h"
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/view/overlay.h"
+#include "app/view/drawing/overlay.h"
 #include "app/viewport/hosted_render_window.h"
 #include "render/gl/picture_pool.h"
 

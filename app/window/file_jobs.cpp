@@ -23,7 +23,7 @@
 #include "app/import/add_imported.h"
 #include "app/import/imported_reload.h"
 #include "app/import/scene_import.h"
-#include "app/view/bounds.h"
+#include "app/view/camera/bounds.h"
 #include "app/view/paint_point.h"
 #include "app/viewport/view_grid.h"
 #include "app/window/dialogs/simplify_dialog.h"

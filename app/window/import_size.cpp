@@ -9,7 +9,7 @@
 #include "app/document/document.h"
 #include "app/document/object_titles.h"
 #include "app/document/text/number_text.h"
-#include "app/view/bounds.h"
+#include "app/view/camera/bounds.h"
 #include "app/view/floor.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/view_grid.h"

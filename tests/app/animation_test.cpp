@@ -17,7 +17,7 @@
 #include "app/tools/brushes/airbrush_tool.h"
 #include "app/tools/emitter_tool.h"
 #include "app/tools/tool_box.h"
-#include "app/view/overlay.h"
+#include "app/view/drawing/overlay.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"

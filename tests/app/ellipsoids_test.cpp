@@ -15,7 +15,7 @@
 #include "app/tools/brushes/paintbrush_tool.h"
 #include "app/tools/selection/transform_tool.h"
 #include "app/tools/tool_box.h"
-#include "app/view/bounds.h"
+#include "app/view/camera/bounds.h"
 #include "brume/error.h"
 #include "tests/app/desk.h"
 #include "tests/app/ellipsoids.h"

@@ -17,7 +17,7 @@
 #include "app/document/time/timeline.h"
 #include "app/export/render_queue.h"
 #include "app/import/scene_import.h"
-#include "app/view/object_box.h"
+#include "app/view/camera/object_box.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/viewport.h"
 #include "app/window/pages/start_page.h"

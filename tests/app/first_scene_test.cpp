@@ -10,7 +10,7 @@
 #include "app/export/frame_export.h"
 #include "app/frames/headlight.h"
 #include "app/import/scene_import.h"
-#include "app/view/bounds.h"
+#include "app/view/camera/bounds.h"
 #include "app/viewport/legend.h"
 #include "app/viewport/viewport.h"
 #include "app/window/file_jobs.h"

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "app/import/scene_import.h"
-#include "app/view/bounds.h"
+#include "app/view/camera/bounds.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/viewport.h"
 #include "app/window/pages/message_bar.h"

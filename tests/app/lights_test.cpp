@@ -13,8 +13,8 @@
 
 #include "app/commands/objects/edit_lights.h"
 #include "app/panels/forms/light_panel.h"
-#include "app/view/object_box.h"
-#include "app/view/overlay.h"
+#include "app/view/camera/object_box.h"
+#include "app/view/drawing/overlay.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/color_button.h"
 #include "app/widgets/number_field.h"

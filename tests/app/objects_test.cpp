@@ -11,7 +11,7 @@
 #include "app/commands/objects/edit_objects.h"
 #include "app/document/document.h"
 #include "app/panels/lists/outliner.h"
-#include "app/view/object_box.h"
+#include "app/view/camera/object_box.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/viewport.h"
 #include "brume/at_time.h"

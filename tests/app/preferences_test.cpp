@@ -15,7 +15,7 @@
 
 #include "app/commands/gaussians/operation_numbers.h"
 #include "app/document/autosave.h"
-#include "app/view/overlay.h"
+#include "app/view/drawing/overlay.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/application.h"
 #include "app/widgets/color_button.h"

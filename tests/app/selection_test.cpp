@@ -9,7 +9,7 @@
 #include "app/files/scene_files.h"
 #include "app/tools/selection/selection_tool.h"
 #include "app/tools/tool_box.h"
-#include "app/view/gizmo.h"
+#include "app/view/drawing/gizmo.h"
 #include "app/viewport/viewport.h"
 #include "app/window/pages/message_bar.h"
 #include "brume/error.h"

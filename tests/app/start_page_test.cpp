@@ -13,7 +13,7 @@
 #include "app/files/recent_pictures.h"
 #include "app/files/scene_files.h"
 #include "app/frames/headlight.h"
-#include "app/view/ground_grid.h"
+#include "app/view/drawing/ground_grid.h"
 #include "app/viewport/view_grid.h"
 #include "app/window/pages/message_bar.h"
 #include "app/window/pages/start_page.h"

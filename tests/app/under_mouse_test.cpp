@@ -9,7 +9,7 @@
 #include "app/commands/gaussians/clipboard.h"
 #include "app/tools/brushes/airbrush_tool.h"
 #include "app/tools/brushes/paintbrush_tool.h"
-#include "app/view/overlay.h"
+#include "app/view/drawing/overlay.h"
 #include "app/view/paint_point.h"
 #include "brume/render.h"
 #include "core/io/scene/scene_file.h"

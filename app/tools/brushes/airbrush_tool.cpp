@@ -9,7 +9,7 @@
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/tools/option_widgets.h"
-#include "app/view/navigation.h"
+#include "app/view/camera/navigation.h"
 #include "app/view/surface_picker.h"
 #include "app/view/view.h"
 #include "core/number_domain.h"

@@ -5,7 +5,7 @@
 #include <glm/ext/scalar_constants.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "app/view/overlay.h"
+#include "app/view/drawing/overlay.h"
 #include "app/view/surface_picker.h"
 #include "app/widgets/application.h"
 #include "app/widgets/color_button.h"

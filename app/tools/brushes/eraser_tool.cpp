@@ -10,7 +10,7 @@
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/tools/option_widgets.h"
-#include "app/view/overlay.h"
+#include "app/view/drawing/overlay.h"
 #include "app/view/view.h"
 #include "app/widgets/application.h"
 

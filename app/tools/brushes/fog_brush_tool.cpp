@@ -16,7 +16,7 @@
 #include "app/document/gaussian_attribute.h"
 #include "app/tools/brushes/brush_cursor.h"
 #include "app/tools/option_widgets.h"
-#include "app/view/navigation.h"
+#include "app/view/camera/navigation.h"
 #include "app/view/view.h"
 #include "app/widgets/color_button.h"
 #include "app/widgets/number_field.h"

@@ -6,7 +6,7 @@
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/tools/option_widgets.h"
-#include "app/view/navigation.h"
+#include "app/view/camera/navigation.h"
 #include "core/number_domain.h"
 
 namespace brume {

@@ -9,7 +9,7 @@
 #include "app/commands/gaussians/edit_splines.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
-#include "app/view/overlay.h"
+#include "app/view/drawing/overlay.h"
 #include "app/view/view.h"
 #include "app/widgets/application.h"
 #include "app/widgets/interface_settings.h"

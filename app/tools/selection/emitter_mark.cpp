@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/tools/selection/click_target.h"
-#include "app/view/overlay.h"
+#include "app/view/drawing/overlay.h"
 #include "app/widgets/interface_settings.h"
 #include "brume/emitter.h"
 #include "core/scene/animation/particles.h"

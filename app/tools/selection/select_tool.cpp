@@ -10,7 +10,7 @@
 #include "app/document/document.h"
 #include "app/tools/selection/click_target.h"
 #include "app/tools/selection/emitter_mark.h"
-#include "app/view/object_box.h"
+#include "app/view/camera/object_box.h"
 #include "app/view/view.h"
 #include "app/widgets/interface_settings.h"
 

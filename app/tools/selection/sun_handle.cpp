@@ -6,7 +6,7 @@
 
 #include "app/commands/objects/edit_environment.h"
 #include "app/document/document.h"
-#include "app/view/overlay.h"
+#include "app/view/drawing/overlay.h"
 #include "app/widgets/interface_settings.h"
 #include "core/scene/lights/sky.h"
 

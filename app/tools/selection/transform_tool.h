@@ -2,7 +2,7 @@
 
 #include "app/commands/objects/edit_objects.h"
 #include "app/tools/selection/select_tool.h"
-#include "app/view/gizmo.h"
+#include "app/view/drawing/gizmo.h"
 #include "core/scene/camera_rays.h"
 
 namespace brume {

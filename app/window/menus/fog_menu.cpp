@@ -6,9 +6,9 @@
 
 #include "app/commands/gaussians/add_fog.h"
 #include "app/document/document.h"
-#include "app/view/bounds.h"
+#include "app/view/camera/bounds.h"
+#include "app/view/camera/navigation.h"
 #include "app/view/floor.h"
-#include "app/view/navigation.h"
 #include "app/view/paint_point.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/view_grid.h"

@@ -1,11 +1,11 @@
-#include "app/view/object_box.h"
+#include "app/view/camera/object_box.h"
 #include "core/scene/camera_rays.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/view/navigation.h"
-#include "app/view/overlay.h"
+#include "app/view/camera/navigation.h"
+#include "app/view/drawing/overlay.h"
 #include "app/widgets/interface_settings.h"
 #include "brume/mesh_arrays.h"
 #include "core/math/infinity.h"

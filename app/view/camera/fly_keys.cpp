@@ -1,4 +1,4 @@
-#include "app/view/fly_keys.h"
+#include "app/view/camera/fly_keys.h"
 
 #include <QGuiApplication>
 #include <QKeyEvent>

@@ -1,4 +1,4 @@
-#include "app/view/gizmo.h"
+#include "app/view/drawing/gizmo.h"
 #include "core/scene/camera_rays.h"
 
 #include <QLineF>
@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "app/view/overlay.h"
+#include "app/view/drawing/overlay.h"
 #include "app/widgets/interface_settings.h"
 #include "core/math/basis.h"
 

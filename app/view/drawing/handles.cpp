@@ -1,4 +1,4 @@
-#include "app/view/handles.h"
+#include "app/view/drawing/handles.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "app/view/walls.h"
+#include "app/view/camera/walls.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "app/view/navigation.h"
+#include "app/view/camera/navigation.h"
 #include "app/view/surface_picker.h"
 #include "core/scene/camera_rays.h"
 

@@ -1,4 +1,4 @@
-#include "app/view/ground_grid.h"
+#include "app/view/drawing/ground_grid.h"
 #include "core/scene/camera_rays.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "app/view/bounds.h"
+#include "app/view/camera/bounds.h"
 #include "brume/camera.h"
 
 namespace brume {

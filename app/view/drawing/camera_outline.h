@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/view/overlay.h"
+#include "app/view/drawing/overlay.h"
 #include "core/scene/camera_rays.h"
 
 namespace brume {

@@ -1,4 +1,4 @@
-#include "app/view/navigation.h"
+#include "app/view/camera/navigation.h"
 #include "core/scene/camera_rays.h"
 
 #include <algorithm>

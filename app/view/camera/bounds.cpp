@@ -1,4 +1,4 @@
-#include "app/view/bounds.h"
+#include "app/view/camera/bounds.h"
 
 #include <algorithm>
 #include <glm/common.hpp>

@@ -1,4 +1,4 @@
-#include "app/view/overlay.h"
+#include "app/view/drawing/overlay.h"
 #include "core/scene/camera_rays.h"
 
 #include <QLineF>

@@ -1,4 +1,4 @@
-#include "app/view/axis_view.h"
+#include "app/view/camera/axis_view.h"
 
 #include <QCoreApplication>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "app/view/camera_controller.h"
+#include "app/view/camera/camera_controller.h"
 
 #include <QWidget>
 #include <algorithm>
@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "app/document/document.h"
-#include "app/view/bounds.h"
-#include "app/view/object_box.h"
-#include "app/view/walls.h"
+#include "app/view/camera/bounds.h"
+#include "app/view/camera/object_box.h"
+#include "app/view/camera/walls.h"
 #include "brume/mesh_arrays.h"
 #include "core/scene/cameras.h"
 #include "core/scene/fields/camera_fields.h"

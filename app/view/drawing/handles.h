@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "app/view/overlay.h"
+#include "app/view/drawing/overlay.h"
 #include "brume/frame.h"
 #include "brume/medium.h"
 #include "core/scene/camera_rays.h"

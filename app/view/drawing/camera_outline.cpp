@@ -1,4 +1,4 @@
-#include "app/view/camera_outline.h"
+#include "app/view/drawing/camera_outline.h"
 #include "core/scene/camera_rays.h"
 
 #include <array>

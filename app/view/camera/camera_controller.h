@@ -5,8 +5,8 @@
 #include <QRectF>
 #include <optional>
 
-#include "app/view/axis_view.h"
-#include "app/view/navigation.h"
+#include "app/view/camera/axis_view.h"
+#include "app/view/camera/navigation.h"
 #include "core/scene/camera_rays.h"
 
 class QWidget;

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "app/view/overlay.h"
+#include "app/view/drawing/overlay.h"
 #include "brume/frame.h"
 
 namespace brume {
