@@ -11,6 +11,7 @@ includes=$(grep -rnE '^\s*#\s*include\s*[<"]' include core render app tools \
 }
 
 panels='app/document/ app/commands/ app/widgets/ app/jobs/ app/files/ app/view/ app/frames/'
+import='app/document/ app/commands/ app/widgets/ app/jobs/ app/files/'
 view='app/document/ app/widgets/ app/jobs/'
 tools='app/document/ app/commands/ app/widgets/ app/view/'
 values='render/settings.h render/motion.h'
@@ -132,7 +133,11 @@ app/jobs/*.[hc]*:app/widgets/
 app/pictures/*.[hc]*:app/document/ app/widgets/ app/jobs/
 app/files/*.[hc]*:app/document/ app/widgets/ app/jobs/
 app/export/*.[hc]*:app/document/ app/widgets/ app/jobs/ app/files/ app/pictures/
-app/import/*.[hc]*:app/document/ app/commands/ app/widgets/ app/jobs/ app/files/
+app/import/add_imported.[hc]*:$import
+app/import/frame_run.[hc]*:$import
+app/import/volume_fit.[hc]*:$import
+app/import/dialogs/*.[hc]*:$import app/import/frame_run.h app/import/volume_fit.h
+app/import/*.[hc]*:$import app/import/dialogs/
 app/view/surface_picker.[hc]*:$view
 app/view/drawing/*.[hc]*:$view
 app/view/camera/*.[hc]*:$view app/view/surface_picker.h app/view/drawing/

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "app/commands/gaussians/operation_numbers.h"
+#include "app/import/dialogs/splat_dialog.h"
 #include "app/import/frame_run.h"
 #include "app/import/import_kind.h"
 #include "app/import/import_spot.h"
-#include "app/import/splat_dialog.h"
 #include "app/import/volume_fit.h"
 #include "app/jobs/background_job.h"
 #include "brume/medium_sequence.h"

@@ -5,10 +5,10 @@
 #include <QMenu>
 #include <functional>
 
-#include "app/import/folder_dialog.h"
-#include "app/import/scene_dialog.h"
-#include "app/import/splat_dialog.h"
-#include "app/import/volume_dialog.h"
+#include "app/import/dialogs/folder_dialog.h"
+#include "app/import/dialogs/scene_dialog.h"
+#include "app/import/dialogs/splat_dialog.h"
+#include "app/import/dialogs/volume_dialog.h"
 #include "app/widgets/color_button.h"
 #include "core/scene/imported_scene.h"
 #include "tests/app/test_window.h"

@@ -6,9 +6,9 @@
 
 #include "app/document/time/timeline.h"
 #include "app/files/scene_files.h"
-#include "app/import/folder_dialog.h"
+#include "app/import/dialogs/folder_dialog.h"
+#include "app/import/dialogs/volume_dialog.h"
 #include "app/import/scene_import.h"
-#include "app/import/volume_dialog.h"
 #include "app/import/vtk_points.h"
 #include "app/viewport/viewport.h"
 #include "app/window/pages/message_bar.h"

@@ -10,9 +10,9 @@
 #include <fstream>
 
 #include "app/document/paths.h"
-#include "app/import/scene_dialog.h"
+#include "app/import/dialogs/scene_dialog.h"
+#include "app/import/dialogs/splat_dialog.h"
 #include "app/import/scene_import.h"
-#include "app/import/splat_dialog.h"
 #include "app/window/pages/message_bar.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/scene/imported_scene.h"

@@ -1,4 +1,4 @@
-#include "app/import/volume_dialog.h"
+#include "app/import/dialogs/volume_dialog.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -15,8 +15,8 @@
 
 #include "app/document/paths.h"
 #include "app/document/text/number_text.h"
-#include "app/import/appearance_fields.h"
-#include "app/import/folder_dialog.h"
+#include "app/import/dialogs/appearance_fields.h"
+#include "app/import/dialogs/folder_dialog.h"
 #include "app/widgets/frame_text.h"
 #include "app/widgets/plain_text.h"
 #include "app/widgets/rows.h"

@@ -1,4 +1,4 @@
-#include "app/import/appearance_fields.h"
+#include "app/import/dialogs/appearance_fields.h"
 
 #include <QComboBox>
 #include <QDoubleValidator>

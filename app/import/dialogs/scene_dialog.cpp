@@ -1,4 +1,4 @@
-#include "app/import/scene_dialog.h"
+#include "app/import/dialogs/scene_dialog.h"
 
 #include <QCheckBox>
 #include <QPushButton>

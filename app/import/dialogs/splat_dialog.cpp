@@ -1,4 +1,4 @@
-#include "app/import/splat_dialog.h"
+#include "app/import/dialogs/splat_dialog.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -7,7 +7,7 @@
 #include <QPushButton>
 
 #include "app/document/paths.h"
-#include "app/import/folder_dialog.h"
+#include "app/import/dialogs/folder_dialog.h"
 #include "app/widgets/opacity_along_box.h"
 #include "app/widgets/rows.h"
 

@@ -1,4 +1,4 @@
-#include "app/import/folder_dialog.h"
+#include "app/import/dialogs/folder_dialog.h"
 
 #include <QFormLayout>
 #include <QLineEdit>
