@@ -124,6 +124,10 @@
         <translation>Als Asset %1 gespeichert</translation>
     </message>
     <message>
+        <source>The scene would have %1 Gaussians, including emitters and sequences; allowed: %2</source>
+        <translation>Die Szene hätte %1 Gaußfunktionen, einschließlich Emittern und Sequenzen; erlaubt: %2</translation>
+    </message>
+    <message>
         <source>Add sun</source>
         <translation>Sonne hinzufügen</translation>
     </message>
@@ -216,6 +220,94 @@
         <translation>Duplizieren</translation>
     </message>
     <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Add group</source>
+        <translation>Gruppe hinzufügen</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>%1 gruppieren</translation>
+    </message>
+    <message>
+        <source>Ungroup %1</source>
+        <translation>Gruppierung von %1 aufheben</translation>
+    </message>
+    <message>
+        <source>Move %1 to %2</source>
+        <translation>%1 nach %2 verschieben</translation>
+    </message>
+    <message>
+        <source>Move %1 out of groups</source>
+        <translation>%1 aus Gruppen herausnehmen</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>%1 löschen</translation>
+    </message>
+    <message>
+        <source>Move %1 into %2</source>
+        <translation>%1 in %2 verschieben</translation>
+    </message>
+    <message>
+        <source>Move %1 out of its group</source>
+        <translation>%1 aus der Gruppe herausnehmen</translation>
+    </message>
+    <message>
+        <source>The active group “%1” is locked: nothing is added to it. Unlock it or choose another in the outliner.</source>
+        <translation>Die aktive Gruppe „%1“ ist gesperrt: Nichts wird ihr hinzugefügt. Entsperren Sie sie, oder wählen Sie im Outliner eine andere.</translation>
+    </message>
+    <message>
+        <source>The active group “%1” is hidden: nothing is added to it. Show it or choose another in the outliner.</source>
+        <translation>Die aktive Gruppe „%1“ ist ausgeblendet: Nichts wird ihr hinzugefügt. Blenden Sie sie ein, oder wählen Sie im Outliner eine andere.</translation>
+    </message>
+    <message>
+        <source>Add Gaussian</source>
+        <translation>Gaußfunktion hinzufügen</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Set homogeneous density to %1</source>
+        <translation>Homogene Dichte auf %1 setzen</translation>
+    </message>
+    <message>
+        <source>Set %1 of %2 to %3</source>
+        <translation>%1 von %2 auf %3 setzen</translation>
+    </message>
+    <message>
+        <source>Set colours of %1</source>
+        <translation>Farben von %1 setzen</translation>
+    </message>
+    <message>
+        <source>Change %1 of %2</source>
+        <translation>%1 von %2 ändern</translation>
+    </message>
+    <message>
+        <source>Spline</source>
+        <translation>Spline</translation>
+    </message>
+    <message>
+        <source>Delete %1, keep its fog</source>
+        <translation>%1 löschen, Nebel behalten</translation>
+    </message>
+    <message>
+        <source>Deselect all</source>
+        <translation>Auswahl aufheben</translation>
+    </message>
+    <message>
+        <source>Select %1</source>
+        <translation>%1 auswählen</translation>
+    </message>
+    <message>
+        <source>Simplify %1</source>
+        <translation>%1 vereinfachen</translation>
+    </message>
+    <message>
         <source>A scene has %1 cameras at most.</source>
         <translation>Eine Szene hat höchstens %1 Kameras.</translation>
     </message>
@@ -270,54 +362,6 @@
     <message>
         <source>Move sun</source>
         <translation>Sonne verschieben</translation>
-    </message>
-    <message>
-        <source>Group</source>
-        <translation>Gruppe</translation>
-    </message>
-    <message>
-        <source>Add group</source>
-        <translation>Gruppe hinzufügen</translation>
-    </message>
-    <message>
-        <source>Group %1</source>
-        <translation>%1 gruppieren</translation>
-    </message>
-    <message>
-        <source>Ungroup %1</source>
-        <translation>Gruppierung von %1 aufheben</translation>
-    </message>
-    <message>
-        <source>Move %1 to %2</source>
-        <translation>%1 nach %2 verschieben</translation>
-    </message>
-    <message>
-        <source>Move %1 out of groups</source>
-        <translation>%1 aus Gruppen herausnehmen</translation>
-    </message>
-    <message>
-        <source>Delete %1</source>
-        <translation>%1 löschen</translation>
-    </message>
-    <message>
-        <source>Rename %1 to %2</source>
-        <translation>%1 in %2 umbenennen</translation>
-    </message>
-    <message>
-        <source>Move %1 into %2</source>
-        <translation>%1 in %2 verschieben</translation>
-    </message>
-    <message>
-        <source>Move %1 out of its group</source>
-        <translation>%1 aus der Gruppe herausnehmen</translation>
-    </message>
-    <message>
-        <source>The active group “%1” is locked: nothing is added to it. Unlock it or choose another in the outliner.</source>
-        <translation>Die aktive Gruppe „%1“ ist gesperrt: Nichts wird ihr hinzugefügt. Entsperren Sie sie, oder wählen Sie im Outliner eine andere.</translation>
-    </message>
-    <message>
-        <source>The active group “%1” is hidden: nothing is added to it. Show it or choose another in the outliner.</source>
-        <translation>Die aktive Gruppe „%1“ ist ausgeblendet: Nichts wird ihr hinzugefügt. Blenden Sie sie ein, oder wählen Sie im Outliner eine andere.</translation>
     </message>
     <message numerus="yes">
         <source>%n value(s)</source>
@@ -413,30 +457,6 @@
         <translation>%1 wiederherstellen</translation>
     </message>
     <message>
-        <source>Add Gaussian</source>
-        <translation>Gaußfunktion hinzufügen</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Set homogeneous density to %1</source>
-        <translation>Homogene Dichte auf %1 setzen</translation>
-    </message>
-    <message>
-        <source>Set %1 of %2 to %3</source>
-        <translation>%1 von %2 auf %3 setzen</translation>
-    </message>
-    <message>
-        <source>Set colours of %1</source>
-        <translation>Farben von %1 setzen</translation>
-    </message>
-    <message>
-        <source>Change %1 of %2</source>
-        <translation>%1 von %2 ändern</translation>
-    </message>
-    <message>
         <source>A node is part of its file. Select its surface.</source>
         <translation>Ein Knoten ist Teil seiner Datei. Wählen Sie seine Oberfläche aus.</translation>
     </message>
@@ -475,30 +495,6 @@
     <message>
         <source>Set size of picture</source>
         <translation>Bildgröße setzen</translation>
-    </message>
-    <message>
-        <source>Spline</source>
-        <translation>Spline</translation>
-    </message>
-    <message>
-        <source>Delete %1, keep its fog</source>
-        <translation>%1 löschen, Nebel behalten</translation>
-    </message>
-    <message>
-        <source>The scene would have %1 Gaussians, including emitters and sequences; allowed: %2</source>
-        <translation>Die Szene hätte %1 Gaußfunktionen, einschließlich Emittern und Sequenzen; erlaubt: %2</translation>
-    </message>
-    <message>
-        <source>Deselect all</source>
-        <translation>Auswahl aufheben</translation>
-    </message>
-    <message>
-        <source>Select %1</source>
-        <translation>%1 auswählen</translation>
-    </message>
-    <message>
-        <source>Simplify %1</source>
-        <translation>%1 vereinfachen</translation>
     </message>
     <message>
         <source>Autosave failed: %1</source>
@@ -580,6 +576,26 @@
         <translation>Streckung</translation>
     </message>
     <message>
+        <source>Emitter %1</source>
+        <translation>Emitter %1</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
         <source>turned, degrees</source>
         <translation>Drehung, Grad</translation>
     </message>
@@ -602,26 +618,6 @@
     <message>
         <source>Animation</source>
         <translation>Animation</translation>
-    </message>
-    <message>
-        <source>Emitter %1</source>
-        <translation>Emitter %1</translation>
-    </message>
-    <message>
-        <source>Plane</source>
-        <translation>Ebene</translation>
-    </message>
-    <message>
-        <source>Box</source>
-        <translation>Quader</translation>
-    </message>
-    <message>
-        <source>Sphere</source>
-        <translation>Kugel</translation>
-    </message>
-    <message>
-        <source>Cylinder</source>
-        <translation>Zylinder</translation>
     </message>
     <message>
         <source>Frame %1: %2</source>
@@ -1199,56 +1195,6 @@
         <translation>Candela und Lux werden zu W/sr und W/u² bei 683 lm/W</translation>
     </message>
     <message>
-        <source>All supported files (*.vdb *.csv *.ply *.vtp *.vtu *.gltf *.glb *.fbx *.obj *.stl *.off *.exr *.hdr);;Scenes (*.gltf *.glb *.fbx *.obj);;Volumes (*.vdb);;Gaussians (*.csv *.ply *.vtp *.vtu *.gltf *.glb);;Meshes (*.obj *.ply *.stl *.off);;Environments (*.exr *.hdr);;All files (*)</source>
-        <translation>Alle unterstützten Dateien (*.vdb *.csv *.ply *.vtp *.vtu *.gltf *.glb *.fbx *.obj *.stl *.off *.exr *.hdr);;Szenen (*.gltf *.glb *.fbx *.obj);;Volumen (*.vdb);;Gaußfunktionen (*.csv *.ply *.vtp *.vtu *.gltf *.glb);;Netze (*.obj *.ply *.stl *.off);;Umgebungen (*.exr *.hdr);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Import a Sequence: Choose Any Frame</source>
-        <translation>Sequenz importieren: einen beliebigen Frame wählen</translation>
-    </message>
-    <message>
-        <source>Frames (*.vdb *.csv *.ply *.vtp *.vtu);;All files (*)</source>
-        <translation>Frames (*.vdb *.csv *.ply *.vtp *.vtu);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Importing %1</source>
-        <translation>%1 wird importiert</translation>
-    </message>
-    <message>
-        <source>Another import or export is still running.</source>
-        <translation>Ein anderer Import oder Export läuft noch.</translation>
-    </message>
-    <message>
-        <source>Import environment %1</source>
-        <translation>Umgebung %1 importieren</translation>
-    </message>
-    <message>
-        <source>%1: cannot be imported; allowed: volumes (.vdb), Gaussians (.csv, .ply, .vtp, .vtu), scenes (.gltf, .glb, .fbx, .obj), meshes (.obj, .ply, .stl, .off), environments (.exr, .hdr), and one scene (.brume) by itself</source>
-        <translation>%1: kann nicht importiert werden; erlaubt: Volumen (.vdb), Gaußfunktionen (.csv, .ply, .vtp, .vtu), Szenen (.gltf, .glb, .fbx, .obj), Netze (.obj, .ply, .stl, .off), Umgebungen (.exr, .hdr) und eine einzelne Szene (.brume)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n file(s)</source>
-        <translation>
-            <numerusform>%n Datei</numerusform>
-            <numerusform>%n Dateien</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Import %n file(s)</source>
-        <translation>
-            <numerusform>%n Datei importieren</numerusform>
-            <numerusform>%n Dateien importieren</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The preview of %1 has been changed, so it stays: the fit does not replace it.</source>
-        <translation>Die Vorschau von %1 wurde geändert und bleibt daher: Die Anpassung ersetzt sie nicht.</translation>
-    </message>
-    <message>
-        <source>Import sequence %1</source>
-        <translation>Sequenz %1 importieren</translation>
-    </message>
-    <message>
         <source>become albedos</source>
         <translation>werden Albedos</translation>
     </message>
@@ -1343,6 +1289,56 @@
     <message>
         <source>%1 and %2 MB of memory</source>
         <translation>%1 und %2 MB Speicher</translation>
+    </message>
+    <message>
+        <source>All supported files (*.vdb *.csv *.ply *.vtp *.vtu *.gltf *.glb *.fbx *.obj *.stl *.off *.exr *.hdr);;Scenes (*.gltf *.glb *.fbx *.obj);;Volumes (*.vdb);;Gaussians (*.csv *.ply *.vtp *.vtu *.gltf *.glb);;Meshes (*.obj *.ply *.stl *.off);;Environments (*.exr *.hdr);;All files (*)</source>
+        <translation>Alle unterstützten Dateien (*.vdb *.csv *.ply *.vtp *.vtu *.gltf *.glb *.fbx *.obj *.stl *.off *.exr *.hdr);;Szenen (*.gltf *.glb *.fbx *.obj);;Volumen (*.vdb);;Gaußfunktionen (*.csv *.ply *.vtp *.vtu *.gltf *.glb);;Netze (*.obj *.ply *.stl *.off);;Umgebungen (*.exr *.hdr);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Import a Sequence: Choose Any Frame</source>
+        <translation>Sequenz importieren: einen beliebigen Frame wählen</translation>
+    </message>
+    <message>
+        <source>Frames (*.vdb *.csv *.ply *.vtp *.vtu);;All files (*)</source>
+        <translation>Frames (*.vdb *.csv *.ply *.vtp *.vtu);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Importing %1</source>
+        <translation>%1 wird importiert</translation>
+    </message>
+    <message>
+        <source>Another import or export is still running.</source>
+        <translation>Ein anderer Import oder Export läuft noch.</translation>
+    </message>
+    <message>
+        <source>Import environment %1</source>
+        <translation>Umgebung %1 importieren</translation>
+    </message>
+    <message>
+        <source>%1: cannot be imported; allowed: volumes (.vdb), Gaussians (.csv, .ply, .vtp, .vtu), scenes (.gltf, .glb, .fbx, .obj), meshes (.obj, .ply, .stl, .off), environments (.exr, .hdr), and one scene (.brume) by itself</source>
+        <translation>%1: kann nicht importiert werden; erlaubt: Volumen (.vdb), Gaußfunktionen (.csv, .ply, .vtp, .vtu), Szenen (.gltf, .glb, .fbx, .obj), Netze (.obj, .ply, .stl, .off), Umgebungen (.exr, .hdr) und eine einzelne Szene (.brume)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n Datei</numerusform>
+            <numerusform>%n Dateien</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n file(s)</source>
+        <translation>
+            <numerusform>%n Datei importieren</numerusform>
+            <numerusform>%n Dateien importieren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The preview of %1 has been changed, so it stays: the fit does not replace it.</source>
+        <translation>Die Vorschau von %1 wurde geändert und bleibt daher: Die Anpassung ersetzt sie nicht.</translation>
+    </message>
+    <message>
+        <source>Import sequence %1</source>
+        <translation>Sequenz %1 importieren</translation>
     </message>
     <message>
         <source>Refine %1</source>
@@ -3219,20 +3215,12 @@ Wahl von Auto</translation>
         <translation>Staubstoß</translation>
     </message>
     <message>
-        <source>Drag over what you want to select. Shift adds, Ctrl removes, both intersect; [ and ] change the radius.</source>
-        <translation>Über das ziehen, was ausgewählt werden soll. Umschalt fügt hinzu, Strg nimmt weg, beide schneiden; [ und ] ändern den Radius.</translation>
+        <source>Drag to thin the fog; Gaussians of zero density are deleted. [ and ] change the radius, with Shift the strength.</source>
+        <translation>Ziehen dünnt den Nebel aus; Gaußfunktionen ohne Dichte werden gelöscht. [ und ] ändern den Radius, mit Umschalt die Stärke.</translation>
     </message>
     <message>
         <source>Radius, px</source>
         <translation>Radius, px</translation>
-    </message>
-    <message>
-        <source>Click to place a particle emitter, drag to move one. Space plays; the panel Emitters has its settings.</source>
-        <translation>Ein Klick setzt einen Partikelemitter, Ziehen verschiebt einen. Leertaste spielt ab; das Bedienfeld Emitter hat die Einstellungen.</translation>
-    </message>
-    <message>
-        <source>Drag to thin the fog; Gaussians of zero density are deleted. [ and ] change the radius, with Shift the strength.</source>
-        <translation>Ziehen dünnt den Nebel aus; Gaußfunktionen ohne Dichte werden gelöscht. [ und ] ändern den Radius, mit Umschalt die Stärke.</translation>
     </message>
     <message>
         <source>Strength</source>
@@ -3265,38 +3253,6 @@ Wahl von Auto</translation>
     <message>
         <source>How much longer Gaussians are along their way than across it: 1 lays balls, more as many times fewer ellipsoids</source>
         <translation>Wie viel länger Gaußfunktionen entlang des Wegs sind als quer dazu: 1 legt Kugeln, mehr entsprechend weniger Ellipsoide</translation>
-    </message>
-    <message>
-        <source>Draw around what you want to select. Shift adds, Ctrl removes, both intersect.</source>
-        <translation>Umfahren, was ausgewählt werden soll. Umschalt fügt hinzu, Strg nimmt weg, beide schneiden.</translation>
-    </message>
-    <message>
-        <source>Turn %1</source>
-        <translation>%1 drehen</translation>
-    </message>
-    <message>
-        <source>Set outer angle of %1</source>
-        <translation>Äußeren Winkel von %1 setzen</translation>
-    </message>
-    <message>
-        <source>Under mouse</source>
-        <translation>Unter der Maus</translation>
-    </message>
-    <message>
-        <source>View plane</source>
-        <translation>Ansichtsebene</translation>
-    </message>
-    <message>
-        <source>Ground, y</source>
-        <translation>Boden, y</translation>
-    </message>
-    <message>
-        <source>Wall, x</source>
-        <translation>Wand, x</translation>
-    </message>
-    <message>
-        <source>Wall, z</source>
-        <translation>Wand, z</translation>
     </message>
     <message>
         <source>Drag to paint fog. [ and ] change the radius, with Shift the density; Alt + click picks both and the colours from the fog.</source>
@@ -3353,18 +3309,6 @@ Wahl von Auto</translation>
     <message>
         <source>Ready-made brushes and your own; sizes follow the view</source>
         <translation>Fertige Pinsel und Ihre eigenen; die Größen folgen der Ansicht</translation>
-    </message>
-    <message>
-        <source>Click to select Gaussians, surfaces, lights; drag a selected handle to move the selection, drag elsewhere to box select. Middle button orbits, wheel zooms.</source>
-        <translation>Ein Klick wählt Gaußfunktionen, Oberflächen und Lichter aus; Ziehen eines ausgewählten Griffs verschiebt die Auswahl, Ziehen anderswo wählt mit einem Rechteck aus. Mittlere Taste dreht, Mausrad zoomt.</translation>
-    </message>
-    <message>
-        <source>Selection</source>
-        <translation>Auswahl</translation>
-    </message>
-    <message>
-        <source>Intersect</source>
-        <translation>Schneiden</translation>
     </message>
     <message>
         <source>Repaint spline</source>
@@ -3451,6 +3395,78 @@ Wahl von Auto</translation>
         <translation>Beide</translation>
     </message>
     <message>
+        <source>Click to place a particle emitter, drag to move one. Space plays; the panel Emitters has its settings.</source>
+        <translation>Ein Klick setzt einen Partikelemitter, Ziehen verschiebt einen. Leertaste spielt ab; das Bedienfeld Emitter hat die Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Under mouse</source>
+        <translation>Unter der Maus</translation>
+    </message>
+    <message>
+        <source>View plane</source>
+        <translation>Ansichtsebene</translation>
+    </message>
+    <message>
+        <source>Ground, y</source>
+        <translation>Boden, y</translation>
+    </message>
+    <message>
+        <source>Wall, x</source>
+        <translation>Wand, x</translation>
+    </message>
+    <message>
+        <source>Wall, z</source>
+        <translation>Wand, z</translation>
+    </message>
+    <message>
+        <source>Drag over what you want to select. Shift adds, Ctrl removes, both intersect; [ and ] change the radius.</source>
+        <translation>Über das ziehen, was ausgewählt werden soll. Umschalt fügt hinzu, Strg nimmt weg, beide schneiden; [ und ] ändern den Radius.</translation>
+    </message>
+    <message>
+        <source>Draw around what you want to select. Shift adds, Ctrl removes, both intersect.</source>
+        <translation>Umfahren, was ausgewählt werden soll. Umschalt fügt hinzu, Strg nimmt weg, beide schneiden.</translation>
+    </message>
+    <message>
+        <source>Turn %1</source>
+        <translation>%1 drehen</translation>
+    </message>
+    <message>
+        <source>Set outer angle of %1</source>
+        <translation>Äußeren Winkel von %1 setzen</translation>
+    </message>
+    <message>
+        <source>Click to select Gaussians, surfaces, lights; drag a selected handle to move the selection, drag elsewhere to box select. Middle button orbits, wheel zooms.</source>
+        <translation>Ein Klick wählt Gaußfunktionen, Oberflächen und Lichter aus; Ziehen eines ausgewählten Griffs verschiebt die Auswahl, Ziehen anderswo wählt mit einem Rechteck aus. Mittlere Taste dreht, Mausrad zoomt.</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>Intersect</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Soft</source>
+        <translation>Weich</translation>
+    </message>
+    <message>
+        <source>Soft selection: Gaussians within this distance of the selection, in scene units, come along, the less the farther they are; 0 is off</source>
+        <translation>Weiche Auswahl: Gaußfunktionen innerhalb dieses Abstands zur Auswahl, in Szeneneinheiten, kommen mit, je ferner, desto weniger; 0 ist aus</translation>
+    </message>
+    <message>
+        <source>Drag an arrow to move the selection along it, the ring to move it in the view plane.</source>
+        <translation>Ziehen eines Pfeils verschiebt die Auswahl an ihm entlang, Ziehen des Rings in der Ansichtsebene.</translation>
+    </message>
+    <message>
+        <source>Drag a ring to rotate the selection about its axis, the outer ring about the view direction.</source>
+        <translation>Ziehen eines Rings dreht die Auswahl um seine Achse, der äußere Ring um die Blickrichtung.</translation>
+    </message>
+    <message>
+        <source>Drag the ring to scale the selection uniformly, radii included; drag an axis to stretch it: balls become ellipsoids.</source>
+        <translation>Ziehen des Rings skaliert die Auswahl gleichmäßig, samt Radien; Ziehen einer Achse streckt sie: Kugeln werden Ellipsoide.</translation>
+    </message>
+    <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
     </message>
@@ -3491,26 +3507,6 @@ Wahl von Auto</translation>
         <translation>Spline-Pinsel</translation>
     </message>
     <message>
-        <source>Soft</source>
-        <translation>Weich</translation>
-    </message>
-    <message>
-        <source>Soft selection: Gaussians within this distance of the selection, in scene units, come along, the less the farther they are; 0 is off</source>
-        <translation>Weiche Auswahl: Gaußfunktionen innerhalb dieses Abstands zur Auswahl, in Szeneneinheiten, kommen mit, je ferner, desto weniger; 0 ist aus</translation>
-    </message>
-    <message>
-        <source>Drag an arrow to move the selection along it, the ring to move it in the view plane.</source>
-        <translation>Ziehen eines Pfeils verschiebt die Auswahl an ihm entlang, Ziehen des Rings in der Ansichtsebene.</translation>
-    </message>
-    <message>
-        <source>Drag a ring to rotate the selection about its axis, the outer ring about the view direction.</source>
-        <translation>Ziehen eines Rings dreht die Auswahl um seine Achse, der äußere Ring um die Blickrichtung.</translation>
-    </message>
-    <message>
-        <source>Drag the ring to scale the selection uniformly, radii included; drag an axis to stretch it: balls become ellipsoids.</source>
-        <translation>Ziehen des Rings skaliert die Auswahl gleichmäßig, samt Radien; Ziehen einer Achse streckt sie: Kugeln werden Ellipsoide.</translation>
-    </message>
-    <message>
         <source>Top</source>
         <translation>Oben</translation>
     </message>
@@ -3525,10 +3521,6 @@ Wahl von Auto</translation>
     <message>
         <source>Drag over what to render. Escape ends</source>
         <translation>Über das ziehen, was gerendert werden soll. Esc beendet</translation>
-    </message>
-    <message>
-        <source>No OpenGL: %1. The view is drawn without it.</source>
-        <translation>Kein OpenGL: %1. Die Ansicht wird ohne gezeichnet.</translation>
     </message>
     <message>
         <source>What this view shows</source>
@@ -3589,6 +3581,10 @@ Wahl von Auto</translation>
     <message>
         <source>%1 is right before the eye, as if inside it; Home shows all</source>
         <translation>%1 ist direkt vor dem Auge, als wäre es darin; Pos1 zeigt alles</translation>
+    </message>
+    <message>
+        <source>No OpenGL: %1. The view is drawn without it.</source>
+        <translation>Kein OpenGL: %1. Die Ansicht wird ohne gezeichnet.</translation>
     </message>
     <message>
         <source>Choose a Colour</source>
@@ -5200,6 +5196,10 @@ Wahl von Auto</translation>
         <translation>Auf der CPU statt mit OpenGL gerendert: %1</translation>
     </message>
     <message>
+        <source>Rename %1 to %2</source>
+        <translation>%1 in %2 umbenennen</translation>
+    </message>
+    <message>
         <source>a number in (0, 1] (from 1e-6), or three 0</source>
         <translation>eine Zahl in (0, 1] (ab 1e-6) oder dreimal 0</translation>
     </message>
@@ -5380,10 +5380,6 @@ Wahl von Auto</translation>
         <translation>eine Zahl von -20 bis 20</translation>
     </message>
     <message>
-        <source>a number of seconds from 0 to 999999999</source>
-        <translation>eine Zahl von 0 bis 999999999 Sekunden</translation>
-    </message>
-    <message>
         <source>a number from 1 to 20</source>
         <translation>eine Zahl von 1 bis 20</translation>
     </message>
@@ -5394,6 +5390,10 @@ Wahl von Auto</translation>
     <message>
         <source>a number from 0.01 to 100</source>
         <translation>eine Zahl von 0.01 bis 100</translation>
+    </message>
+    <message>
+        <source>a number of seconds from 0 to 999999999</source>
+        <translation>eine Zahl von 0 bis 999999999 Sekunden</translation>
     </message>
     <message>
         <source>a number of pixels from 1 to 2000</source>
