@@ -113,20 +113,18 @@ class AccessibilityTest : public QObject {
 
  private Q_SLOTS:
   void widgets_of_the_window_have_names() {
-    TestWindow window;
     QStringList found;
-    for (const auto& entry : window->tools().entries()) {
-      window->tools().activate(entry.name);
-      found << nameless(*window);
+    for (const auto& entry : window_->tools().entries()) {
+      window_->tools().activate(entry.name);
+      found << nameless(*window_);
     }
     found.removeDuplicates();
     QVERIFY2(found.isEmpty(), qPrintable(found.join('\n').left(800)));
   }
 
   void widgets_of_dialogs_have_names() {
-    TestWindow window;
     QStringList found;
-    const int count = visit_dialogs(window, [&](QWidget& dialog) {
+    const int count = visit_dialogs(window_, [&](QWidget& dialog) {
       for (const QString& path : nameless(dialog)) found << dialog.windowTitle() + ": " + path;
     });
     QVERIFY2(found.isEmpty(), qPrintable(found.join('\n').left(800)));
@@ -134,9 +132,8 @@ class AccessibilityTest : public QObject {
   }
 
   void fields_are_named_by_their_rows() {
-    TestWindow window;
     const auto name = [&](const char* widget) {
-      auto* named = window->findChild<QWidget*>(widget);
+      auto* named = window_->findChild<QWidget*>(widget);
       if (auto* field = qobject_cast<ValueField*>(named)) named = &field->number();
       named->ensurePolished();
       return QAccessible::queryAccessibleInterface(named)->text(QAccessible::Name);
@@ -148,12 +145,11 @@ class AccessibilityTest : public QObject {
   }
 
   void entries_of_menus_have_letters_of_their_own() {
-    TestWindow window;
     QStringList bar;
-    for (const QAction* action : window->menuBar()->actions()) bar << action->text();
+    for (const QAction* action : window_->menuBar()->actions()) bar << action->text();
     QCOMPARE(without_letter(bar), QStringList());
     int count = 0;
-    for (QMenu* menu : window->findChildren<QMenu*>()) {
+    for (QMenu* menu : window_->findChildren<QMenu*>()) {
       menu->popup({});
       QStringList texts;
       for (const QAction* action : menu->actions()) {
@@ -167,16 +163,14 @@ class AccessibilityTest : public QObject {
   }
 
   void labels_and_buttons_of_dialogs_have_letters_of_their_own() {
-    TestWindow window;
-    visit_dialogs(window, [&](QWidget& dialog) {
+    visit_dialogs(window_, [&](QWidget& dialog) {
       const QStringList found = without_letter(labelled_texts(dialog));
       QVERIFY2(found.isEmpty(), qPrintable(dialog.windowTitle() + ": " + found.join("; ")));
     });
   }
 
   void letters_move_the_focus_in_dialogs() {
-    TestWindow window;
-    visit_dialogs(window, [](QWidget& dialog) {
+    visit_dialogs(window_, [](QWidget& dialog) {
       if (dialog.objectName() != "fog_shape_dialog") return;
       dialog.activateWindow();
       QTRY_COMPARE(QApplication::activeWindow(), &dialog);
@@ -189,7 +183,7 @@ class AccessibilityTest : public QObject {
   }
 
   void actions_and_dialogs_are_titled_alike() {
-    TestWindow window;
+    TestWindow window;  // whose menus have no names of files and presets yet
     QStringList found;
     for (const QAction* action : window->findChildren<QAction*>()) {
       const bool is_history = action->objectName() == "edit.undo" || action->data().isValid();
@@ -203,17 +197,19 @@ class AccessibilityTest : public QObject {
   }
 
   void counts_have_their_plurals() {
-    TestWindow window;
-    auto& document = window.document();
+    auto& document = window_.document();
     const std::vector<GaussianId> ids(document.medium().ids().begin(),
                                       document.medium().ids().end());
     document.select({ids[0]});
-    invoke(*window, "edit.delete");
+    invoke(*window_, "edit.delete");
     QCOMPARE(last_step(document), "Delete 1 Gaussian");
     document.select({ids[1], ids[2]});
-    invoke(*window, "edit.delete");
+    invoke(*window_, "edit.delete");
     QCOMPARE(last_step(document), "Delete 2 Gaussians");
   }
+
+ private:
+  TestWindow window_;  // for all tests: no other meets what one leaves
 };
 
 BRUME_APP_SUITE("accessibility", AccessibilityTest)

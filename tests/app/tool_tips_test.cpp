@@ -31,9 +31,8 @@ class ToolTipsTest : public QObject {
 
  private Q_SLOTS:
   void rows_of_all_forms_say_what_they_are() {
-    TestWindow window;
     QStringList without;
-    for (const QFormLayout* form : window->findChildren<QFormLayout*>()) {
+    for (const QFormLayout* form : window_->findChildren<QFormLayout*>()) {
       for (int row = 0; row < form->rowCount(); ++row) {
         QLayoutItem* title = form->itemAt(row, QFormLayout::LabelRole);
         QLayoutItem* value = form->itemAt(row, QFormLayout::FieldRole);
@@ -52,15 +51,17 @@ class ToolTipsTest : public QObject {
   }
 
   void tool_tips_of_values_have_sentence_unit_and_range_but_no_syntax() {
-    TestWindow window;
-    auto& focus = *window->findChild<ValueField*>("camera_focus_distance");
+    auto& focus = *window_->findChild<ValueField*>("camera_focus_distance");
     const QString tip = tool_tip(focus);
     QVERIFY2(tip.contains("Distance along the view axis of the plane in focus<br>Unit: u<"),
              qPrintable(tip));
     QVERIFY2(tip.endsWith("Allowed: a number &gt; 0 (from 1e-12 to 1e12)"), qPrintable(tip));
     QCOMPARE(tool_tip(focus.number()), tip);
-    QCOMPARE(tool_tip(*window->findChild<QLabel*>("camera_focus_distance_title")), tip);
+    QCOMPARE(tool_tip(*window_->findChild<QLabel*>("camera_focus_distance_title")), tip);
   }
+
+ private:
+  TestWindow window_;  // for all tests, which only look
 };
 
 BRUME_APP_SUITE("tool_tips", ToolTipsTest)
