@@ -165,8 +165,7 @@ class KeptRendersTest : public QObject {
     QCOMPARE(next.queue.unfinished(), 0);
     QCOMPARE(next.queue.items()[2].request.file, folder / "last.png");
     QCOMPARE(next.queue.items()[1].request.title, "Frame 3");
-    next.choose(1);
-    click(next.list, "queue_resume");
+    next.click(1, "queue_resume");
     QVERIFY(next.wait_for(1, RenderState::done));
     const Frame frame = *render(*request.scene, request.request);
     const ImageLayers image = read_exr(folder / "view.exr");
@@ -187,16 +186,12 @@ class KeptRendersTest : public QObject {
       for (const char* file : {"a.png", "b.png", "c.png"}) {
         listed.queue.add(tiny_request(folder / file));
       }
-      listed.choose(2);
-      click(listed.list, "queue_cancel");
-      listed.choose(3);
-      click(listed.list, "queue_remove");
+      listed.click(2, "queue_cancel");
+      listed.click(3, "queue_remove");
       // Cancelled, and then asked for again.
-      listed.choose(3);
-      click(listed.list, "queue_cancel");
+      listed.click(3, "queue_cancel");
       click(listed.list, "queue_resume");
-      listed.choose(1);
-      click(listed.list, "queue_cancel");
+      listed.click(1, "queue_cancel");
       QTRY_COMPARE(listed.queue.items()[1].state, RenderState::cancelled);
       QVERIFY(listed.wait_for(3, RenderState::done));
       listed.queue.add(endless_request());
@@ -244,13 +239,11 @@ class KeptRendersTest : public QObject {
     }
     const int sceneless = 3 - damaged - strange;
     QCOMPARE(next.queue.items()[sceneless].state, RenderState::stopped);
-    next.choose(sceneless);
-    click(next.list, "queue_resume");
+    next.click(sceneless, "queue_resume");
     QVERIFY(next.wait_for(sceneless, RenderState::failed));
     QVERIFY(next.queue.items()[sceneless].message.contains(to_qstring(scene.filename())));
     for (int k = 0; k < 3; ++k) {
-      next.choose(0);
-      click(next.list, "queue_remove");
+      next.click(0, "queue_remove");
     }
     QTRY_VERIFY(fs::is_empty(left));
   }
@@ -263,9 +256,15 @@ class KeptRendersTest : public QObject {
       enter(window, "film_width", "2000");
       window.key(Qt::Key_F12);
       auto& queue = *window->findChild<RenderQueue*>();
-      QCOMPARE(queue.items().size(), 1u);
+      window.key(Qt::Key_F12);
+      QCOMPARE(queue.items().size(), 2u);
       window->document().undo_stack().setIndex(0);
       QString question;
+      answer(QMessageBox::Cancel, &question);
+      QVERIFY(!window->close());
+      QVERIFY2(question.contains("2 renders"), qPrintable(question));
+      queue.remove(queue.items()[1].id);
+      QCOMPARE(queue.items().size(), 1u);
       answer(QMessageBox::Yes, &question);
       QVERIFY(window->close());
       QVERIFY2(question.contains("At the next start"), qPrintable(question));

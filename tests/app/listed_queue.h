@@ -8,6 +8,7 @@
 
 #include "app/export/queue_list.h"
 #include "app/export/render_queue.h"
+#include "app/window/frame_output.h"
 #include "render/request.h"
 #include "tests/app/test_window.h"
 
@@ -40,6 +41,21 @@ inline std::vector<std::filesystem::path> files_in(const std::filesystem::path& 
   return files;
 }
 
+// Waits until a window has so many renders, the last of them done; whether it has.
+inline bool wait_for_renders(TestWindow& window, std::size_t count) {
+  const auto& renders = window->output().queue().items();
+  return QTest::qWaitFor(
+      [&] { return renders.size() == count && renders.back().state == RenderQueue::State::done; },
+      patience);
+}
+
+// Renders a picture by F12; whether it gets done.
+inline bool render_picture(TestWindow& window) {
+  const std::size_t count = window->output().queue().items().size();
+  window.key(Qt::Key_F12);
+  return wait_for_renders(window, count + 1);
+}
+
 // A queue with its list, and what the mouse does in that.
 struct ListedQueue {
   explicit ListedQueue(const std::filesystem::path& folder) : queue(folder), list(queue) {
@@ -48,6 +64,10 @@ struct ListedQueue {
   }
   void choose(int row) { tree()->setCurrentItem(tree()->topLevelItem(row)); }
   [[nodiscard]] QTreeWidget* tree() const { return list.findChild<QTreeWidget*>("render_queue"); }
+  void click(int row, const char* button) {
+    choose(row);
+    brume::click(list, button);
+  }
   bool wait_for(std::size_t row, RenderQueue::State state) {
     return QTest::qWaitFor([&] { return queue.items().at(row).state == state; }, patience);
   }

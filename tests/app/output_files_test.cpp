@@ -6,31 +6,16 @@
 #include <QLineEdit>
 
 #include "app/document/paths.h"
-#include "app/export/render_queue.h"
 #include "app/panels/forms/output_panel.h"
 #include "app/pictures/picture_viewer.h"
 #include "app/viewport/camera_frame.h"
 #include "app/viewport/viewport.h"
-#include "app/window/frame_output.h"
 #include "core/io/image/image_file.h"
-#include "tests/app/test_window.h"
+#include "tests/app/listed_queue.h"
 
 using namespace brume;
 
 namespace {
-
-// Renders a picture by F12; whether it gets done.
-bool render(TestWindow& window) {
-  const RenderQueue& queue = window->output().queue();
-  const std::size_t count = queue.items().size();
-  window.key(Qt::Key_F12);
-  return QTest::qWaitFor(
-      [&] {
-        return queue.items().size() == count + 1 &&
-               queue.items().back().state == RenderQueue::State::done;
-      },
-      patience);
-}
 
 const Picture& newest(TestWindow& window) {
   const PictureSlots& pictures = window->findChild<PictureViewer*>()->pictures();
@@ -71,7 +56,7 @@ class OutputFilesTest : public QObject {
     QVERIFY(bits->isEnabled());
     for (const int k : {1, 0}) {
       choose(window, "output_bits", k);
-      QVERIFY(render(window));
+      QVERIFY(render_picture(window));
       QFile written(to_qstring(window.file("fine.png")));
       QVERIFY(written.open(QIODevice::ReadOnly));
       QCOMPARE(int{written.read(25).back()}, k == 1 ? 16 : 8);  // bits of a value, in the header
@@ -82,7 +67,7 @@ class OutputFilesTest : public QObject {
     TestWindow window(tiny_scene());
     window.drag({300, 300}, {420, 320}, Qt::MiddleButton);
     QVERIFY(window.settle());
-    QVERIFY(render(window));
+    QVERIFY(render_picture(window));
     QCOMPARE(newest(window).name, "Camera, frame 0");
     const std::vector<float> seen_by_camera = newest(window).rgb;
     click(window, "output_from_view");
@@ -90,7 +75,7 @@ class OutputFilesTest : public QObject {
     CameraFrame& frame = window.view().camera_frame();
     frame.set_region(QRectF(0.0, 0.0, 0.5, 0.5));
     QVERIFY(!window->findChild<QLabel*>("region_text")->isEnabled());
-    QVERIFY(render(window));
+    QVERIFY(render_picture(window));
     QCOMPARE(newest(window).name, "View, frame 0");
     QCOMPARE(newest(window).width, 32);
     frame.set_region(std::nullopt);
@@ -98,7 +83,7 @@ class OutputFilesTest : public QObject {
     invoke(window, "view.store_camera");
     click(window, "output_from_view");
     const std::vector<float> seen_by_view = newest(window).rgb;
-    QVERIFY(render(window));
+    QVERIFY(render_picture(window));
     QCOMPARE(newest(window).name, "Camera, frame 0");
     QVERIFY(newest(window).rgb == seen_by_view);
     // It is of no other scene.
@@ -116,13 +101,13 @@ class OutputFilesTest : public QObject {
       return found == metadata.end() ? std::string() : found->second;
     };
     window.view().frames().set_mode(ViewMode::path_traced);
-    QVERIFY(render(window));
+    QVERIFY(render_picture(window));
     QCOMPARE(header("brume:airlight"), std::string("path:64"));
     QCOMPARE(header("brume:denoise"), std::string("solved"));
     QVERIFY2(newest(window).details.startsWith("64 paths, denoised"),
              qPrintable(newest(window).details));
     window.view().frames().set_mode(ViewMode::final);
-    QVERIFY(render(window));
+    QVERIFY(render_picture(window));
     QVERIFY(!header("brume:airlight").starts_with("path"));
   }
 };

@@ -1,52 +1,30 @@
-// The size, region and settings of renders, the render queue.
+// The size, region and settings of renders.
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
-#include <QTreeWidget>
-#include <fstream>
 #include <numeric>
 
 #include "app/commands/gaussians/edit_medium.h"
 #include "app/document/paths.h"
 #include "app/document/time/timeline.h"
-#include "app/export/render_queue.h"
 #include "app/pictures/picture_viewer.h"
 #include "app/viewport/camera_frame.h"
 #include "app/viewport/viewport.h"
-#include "app/window/frame_output.h"
 #include "core/io/image/deep_exr_file.h"
 #include "core/io/image/image_file.h"
 #include "core/io/scene/scene_file.h"
-#include "render/request.h"
 #include "tests/app/desk.h"
+#include "tests/app/listed_queue.h"
 #include "tests/app/question.h"
-#include "tests/app/test_window.h"
 
 using namespace brume;
 
 namespace {
 
 namespace fs = std::filesystem;
-
-RenderQueue& queue(TestWindow& window) {
-  return *window->findChild<RenderQueue*>();
-}
-
-bool wait_for(RenderQueue& queue, RenderQueue::State state) {
-  return QTest::qWaitFor(
-      [&] { return !queue.items().empty() && queue.items().back().state == state; }, patience);
-}
-
-FrameExportRequest four_frames(const fs::path& file) {
-  FrameExportRequest request;
-  request.scene = std::make_shared<const Scene>(tiny_scene());
-  request.file = file;
-  request.range = {1, 4, 30.0};
-  return request;
-}
 
 }  // namespace
 
@@ -151,14 +129,11 @@ class OutputTest : public QObject {
     scene.output.samples = 8;
     TestWindow window(scene);
     type(window, "output_file", "a.exr");
-    window.key(Qt::Key_F12);
-    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    QVERIFY(render_picture(window));
     enter(window, "camera_aperture", "1");
     enter(window, "camera_target_z", "2");  // before what is there
     type(window, "output_file", "b.exr");
-    window.key(Qt::Key_F12);
-    QVERIFY(QTest::qWaitFor([&] { return queue(window).items().size() == 2; }, patience));
-    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    QVERIFY(render_picture(window));
     const ImageLayers sharp = read_exr(window.file("a.exr"));
     const ImageLayers blurred = read_exr(window.file("b.exr"));
     // The sum of steps between neighbours: blurring makes gradients of them.
@@ -179,8 +154,7 @@ class OutputTest : public QObject {
     click(window, "layer_depth");
     choose(window, "output_method", 1);
     enter(window, "output_paths", "3");
-    window.key(Qt::Key_F12);
-    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    QVERIFY(render_picture(window));
     const ImageLayers layers = read_exr(window.file("renders/shot.exr"));
     QCOMPARE(layers.width, 32);
     QVERIFY(layers.channels.contains("airlight.R") && !layers.channels.contains("Z"));
@@ -192,9 +166,7 @@ class OutputTest : public QObject {
     QCOMPARE(viewer.pictures().at(0)->at(5, 6)[0], layers.channels.at("R")[6 * 32 + 5]);
 
     // Once more, without a question: this session wrote the file.
-    window.key(Qt::Key_F12);
-    QVERIFY(QTest::qWaitFor([&] { return queue(window).items().size() == 2; }, patience));
-    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    QVERIFY(render_picture(window));
     QVERIFY(viewer.pictures().at(1));
     QVERIFY(viewer.findChild<QAbstractButton*>("slot_a_2")->isChecked());
     QVERIFY(viewer.findChild<QAbstractButton*>("slot_b_1")->isChecked());
@@ -207,23 +179,18 @@ class OutputTest : public QObject {
     choose(window, "output_method", 2);
     QVERIFY(window.scene().output.denoise == Denoising::solved);
     enter(window, "output_paths", "4");
-    window.key(Qt::Key_F12);
-    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    QVERIFY(render_picture(window));
     QCOMPARE(read_exr(window.file("shot.exr")).metadata.at("brume:denoise"), "solved");
 
     click(window, "layer_lights");
-    window.key(Qt::Key_F12);
-    QVERIFY(QTest::qWaitFor([&] { return queue(window).items().size() == 2; }, patience));
-    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    QVERIFY(render_picture(window));
     const ImageLayers plain = read_exr(window.file("shot.exr"));
     QVERIFY(plain.channels.contains("airlight.light_1.R"));
     QVERIFY(!plain.metadata.contains("brume:denoise"));
 
     // Pictures without layers are denoised whatever layers are chosen.
     type(window, "output_file", "shot.png");
-    window.key(Qt::Key_F12);
-    QVERIFY(QTest::qWaitFor([&] { return queue(window).items().size() == 3; }, patience));
-    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    QVERIFY(render_picture(window));
     const QImage png(to_qstring(window.file("shot.png")));
     QCOMPARE(png.text("brume:denoise"), "solved");
 
@@ -237,8 +204,7 @@ class OutputTest : public QObject {
     type(window, "output_file", "shot.exr");
     for (const char* box : {"layer_lights", "layer_normal", "layer_objects"}) click(window, box);
     QVERIFY(window.scene().output.layers.objects);
-    window.key(Qt::Key_F12);
-    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    QVERIFY(render_picture(window));
     const ImageLayers image = read_exr(window.file("shot.exr"));
     for (const char* name : {"Z", "airlight.light_1.R", "normal.X", "CryptoObject00.R"}) {
       QVERIFY2(image.channels.contains(name), name);
@@ -258,7 +224,7 @@ class OutputTest : public QObject {
     enter(window, "output_first", "2");
     enter(window, "output_last", "2");
     click(window, "render.animation_button");
-    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    QVERIFY(wait_for_renders(window, 1));
     DeepExrHeader header;
     const DeepRows rows = read_deep_exr(window.file("shot_0002.deep.exr"), header);
     QCOMPARE(header.width, 32);
@@ -269,22 +235,20 @@ class OutputTest : public QObject {
   void an_animation_asks_for_a_file_and_before_it_replaces() {
     TestWindow window(tiny_scene());
     click(window, "render.animation_button");
-    QVERIFY(queue(window).items().empty());
+    QVERIFY(window->output().queue().items().empty());
     QVERIFY(window->findChild<QLineEdit*>("output_file")->hasFocus());
     type(window, "output_file", "shot.png");
     enter(window, "output_first", "3");
     enter(window, "output_last", "5");
-    QFile there(to_qstring(window.file("shot_0004.png")));
-    QVERIFY(there.open(QIODevice::WriteOnly));
-    there.close();
+    write_text(window.file("shot_0004.png"), "");
     QString question;
     answer(QMessageBox::Cancel, &question);
     window.key(Qt::Key_F12, Qt::ControlModifier);
     QVERIFY(question.contains("shot_0004.png"));
-    QVERIFY(queue(window).items().empty());
+    QVERIFY(window->output().queue().items().empty());
     answer(QMessageBox::Yes);
     window.key(Qt::Key_F12, Qt::ControlModifier);
-    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    QVERIFY(wait_for_renders(window, 1));
     for (const char* name : {"shot_0003.png", "shot_0004.png", "shot_0005.png"}) {
       QCOMPARE(QImage(to_qstring(window.file(name))).size(), QSize(32, 24));
     }
@@ -296,118 +260,13 @@ class OutputTest : public QObject {
     const auto all = window->document().medium().ids();
     window->document().select({all.begin(), all.end()});
     delete_selection(window->document(), "Delete all");
-    window.key(Qt::Key_F12);
-    QVERIFY(QTest::qWaitFor([&] { return queue(window).items().size() == 2; }, patience));
-    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    QVERIFY(render_picture(window));
     const PictureSlots& pictures = window->findChild<PictureViewer*>()->pictures();
     const auto sum = [](const Picture& picture) {
       return std::accumulate(picture.rgb.begin(), picture.rgb.end(), 0.0);
     };
     QVERIFY(sum(*pictures.at(0)) > 0.0);
     QCOMPARE(sum(*pictures.at(1)), 0.0);
-  }
-
-  void waiting_renders_can_be_cancelled_repeated_and_removed() {
-    TestWindow window(tiny_scene());
-    RenderQueue& renders = queue(window);
-    FrameExportRequest request;
-    Scene big = small_scene();
-    big.film = {2000, 1500};
-    request.scene = std::make_shared<const Scene>(big);
-    trace_paths(request.request, 100'000, Denoising::none);  // never done
-    request.title = "long";
-    const int first = renders.add(request);
-    request.title = "next";
-    request.scene = std::make_shared<const Scene>(tiny_scene());
-    request.request.paths = 2;
-    request.file = window.file("next.png");
-    const int second = renders.add(request);
-    request.title = "last";
-    request.file = window.file("none/last.png");
-    const int third = renders.add(request);
-    using State = RenderQueue::State;
-    QCOMPARE(renders.find(first)->state, State::rendering);
-    QCOMPARE(renders.find(second)->state, State::waiting);
-    auto* list = window->findChild<QTreeWidget*>("render_queue");
-    QCOMPARE(list->topLevelItemCount(), 3);
-    QString question;
-    answer(QMessageBox::Cancel, &question);
-    QVERIFY(!window->close());
-    QVERIFY2(question.contains("3 renders"), qPrintable(question));
-    list->setCurrentItem(list->topLevelItem(1));
-    click(window, "queue_cancel");
-    QCOMPARE(renders.find(second)->state, State::cancelled);
-    list->setCurrentItem(list->topLevelItem(0));
-    click(window, "queue_remove");
-    QVERIFY(QTest::qWaitFor([&] { return !renders.find(first); }, patience));
-    // The others go on; what fails says why, and stays.
-    QVERIFY(wait_for(renders, State::failed));
-    QVERIFY2(renders.find(third)->message.contains("last.png"),
-             qPrintable(renders.find(third)->message));
-    QVERIFY(!fs::exists(window.file("next.png")));
-    list->setCurrentItem(list->topLevelItem(0));
-    click(window, "queue_resume");
-    QVERIFY(QTest::qWaitFor([&] { return renders.find(second)->state == State::done; }, patience));
-    QCOMPARE(QImage(to_qstring(window.file("next.png"))).size(), QSize(32, 24));
-    QCOMPARE(list->topLevelItemCount(), 2);
-  }
-
-  void failed_and_removed_frames_are_rendered_again_and_only_these() {
-    TestWindow window(tiny_scene());
-    RenderQueue& renders = queue(window);
-    const FrameExportRequest request = four_frames(window.file("f.png"));
-    fs::create_directory(window.file("f_0003.png"));  // which cannot be replaced by a file
-    const int id = renders.add(request);
-    QVERIFY(wait_for(renders, RenderQueue::State::failed));
-    QVERIFY2(renders.find(id)->message.contains("3 of 4"), qPrintable(renders.find(id)->message));
-    QCOMPARE(renders.find(id)->request.complete, (std::set{1, 2, 4}));
-    fs::remove(window.file("f_0003.png"));
-    fs::remove(window.file("f_0002.png"));
-    click(window, "queue_resume");
-    QVERIFY(wait_for(renders, RenderQueue::State::done));
-    QCOMPARE(renders.find(id)->rendered, 2);
-    QVERIFY(fs::is_regular_file(window.file("f_0003.png")));
-    QVERIFY(fs::is_regular_file(window.file("f_0002.png")));
-  }
-
-  // Else a full disk would cost all frames.
-  void a_resumed_sequence_ends_where_its_first_frame_fails() {
-    TestWindow window(tiny_scene());
-    RenderQueue& renders = queue(window);
-    FrameExportRequest request = four_frames(window.file("f.png"));
-    request.complete = {1};
-    std::ofstream(window.file("f_0001.png")) << "there";
-    fs::create_directory(window.file("f_0002.png"));  // which cannot be replaced by a file
-    const int id = renders.add(request);
-    QVERIFY(wait_for(renders, RenderQueue::State::failed));
-    QCOMPARE(renders.find(id)->request.complete, std::set{1});
-    QVERIFY(!fs::exists(window.file("f_0004.png")));
-  }
-
-  void waiting_renders_change_places() {
-    TestWindow window(tiny_scene());
-    RenderQueue& renders = queue(window);
-    FrameExportRequest request;
-    request.scene = std::make_shared<const Scene>(small_scene());
-    trace_paths(request.request, 100'000, Denoising::none);  // never done
-    const int first = renders.add(request);
-    const int second = renders.add(request);
-    const int third = renders.add(request);
-    const auto order = [&] {
-      std::vector<int> ids;
-      for (const RenderQueue::Item& item : renders.items()) ids.push_back(item.id);
-      return ids;
-    };
-    auto* list = window->findChild<QTreeWidget*>("render_queue");
-    list->setCurrentItem(list->topLevelItem(2));
-    click(window, "queue_sooner");
-    QCOMPARE(order(), (std::vector{first, third, second}));
-    click(window, "queue_sooner");  // the one above is rendered
-    QCOMPARE(order(), (std::vector{first, third, second}));
-    click(window, "queue_later");
-    QCOMPARE(order(), (std::vector{first, second, third}));
-    for (const int id : order()) renders.remove(id);
-    QVERIFY(QTest::qWaitFor([&] { return renders.items().empty(); }, patience));
   }
 
   void a_region_is_rendered_alone() {
@@ -423,13 +282,10 @@ class OutputTest : public QObject {
     drag_mouse(frame, at(1.2, 1.0), at(0.5, 0.5));
     QVERIFY(frame.region() && !is_marking());
     QVERIFY(window->findChild<QLabel*>("region_text")->text().contains("50 × 50 %"));
-    window.key(Qt::Key_F12);
-    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    QVERIFY(render_picture(window));
     click(window, "clear_region");
     QVERIFY(!frame.region());
-    window.key(Qt::Key_F12);
-    QVERIFY(QTest::qWaitFor([&] { return queue(window).items().size() == 2; }, patience));
-    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    QVERIFY(render_picture(window));
     const PictureSlots& pictures = window->findChild<PictureViewer*>()->pictures();
     const Picture& part = *pictures.at(0);
     const Picture& whole = *pictures.at(1);

@@ -2,12 +2,14 @@
 
 #include <QComboBox>
 #include <QDropEvent>
+#include <QImage>
 #include <QLabel>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <memory>
 
+#include "app/document/paths.h"
 #include "core/io/disk/file_bytes.h"
 #include "tests/app/listed_queue.h"
 
@@ -54,8 +56,7 @@ class RenderQueueTest : public QObject {
     QVERIFY(queue.add(tiny_request(folder / "f.png")) != 0);
     QVERIFY(queue.add(tiny_request()) != 0 && queue.add(tiny_request()) != 0);  // no files
     // Nor does one that is asked for again.
-    listed.choose(1);
-    click(listed.list, "queue_cancel");
+    listed.click(1, "queue_cancel");
     later.range = {9, 9, 30.0};
     QVERIFY(queue.add(later) != 0);
     click(listed.list, "queue_resume");
@@ -120,7 +121,66 @@ class RenderQueueTest : public QObject {
     QTRY_COMPARE(rendered.join(' '), "a d b c");
   }
 
-  void failed_frames_are_told_and_tried_again() {
+  void waiting_renders_change_places() {
+    const TestFolder folder;
+    ListedQueue listed(folder / "renders");
+    const int first = listed.queue.add(endless_request());
+    const int second = listed.queue.add(tiny_request());
+    const int third = listed.queue.add(tiny_request());
+    const auto order = [&] {
+      std::vector<int> ids;
+      for (const RenderQueue::Item& item : listed.queue.items()) ids.push_back(item.id);
+      return ids;
+    };
+    listed.click(2, "queue_sooner");
+    QCOMPARE(order(), (std::vector{first, third, second}));
+    click(listed.list, "queue_sooner");  // the one above is rendered
+    QCOMPARE(order(), (std::vector{first, third, second}));
+    click(listed.list, "queue_later");
+    QCOMPARE(order(), (std::vector{first, second, third}));
+  }
+
+  void waiting_renders_can_be_cancelled_repeated_and_removed() {
+    const TestFolder folder;
+    ListedQueue listed(folder / "renders");
+    const RenderQueue& queue = listed.queue;
+    const int first = listed.queue.add(endless_request());
+    const int second = listed.queue.add(tiny_request(folder / "next.png"));
+    const int third = listed.queue.add(tiny_request(folder / "none/last.png"));
+    QCOMPARE(queue.find(first)->state, QueueState::rendering);
+    QCOMPARE(queue.find(second)->state, QueueState::waiting);
+    QCOMPARE(listed.tree()->topLevelItemCount(), 3);
+    listed.click(1, "queue_cancel");
+    QCOMPARE(queue.find(second)->state, QueueState::cancelled);
+    listed.click(0, "queue_remove");
+    QTRY_VERIFY(!queue.find(first));
+    // The others go on; what fails says why, and stays.
+    QVERIFY(listed.wait_for(1, QueueState::failed));
+    QVERIFY2(queue.find(third)->message.contains("last.png"),
+             qPrintable(queue.find(third)->message));
+    QVERIFY(!fs::exists(folder / "next.png"));
+    listed.click(0, "queue_resume");
+    QVERIFY(listed.wait_for(0, QueueState::done));
+    QCOMPARE(QImage(to_qstring(folder / "next.png")).size(), QSize(32, 24));
+    QCOMPARE(listed.tree()->topLevelItemCount(), 2);
+  }
+
+  // Else a full disk would cost all frames.
+  void a_resumed_sequence_ends_where_its_first_frame_fails() {
+    const TestFolder folder;
+    ListedQueue listed(folder / "renders");
+    FrameExportRequest request = tiny_request(folder / "f.png");
+    request.range = {1, 4, 30.0};
+    request.complete = {1};
+    write_text(folder / "f_0001.png", "there");
+    fs::create_directory(folder / "f_0002.png");  // which cannot be replaced by a file
+    listed.queue.add(request);
+    QVERIFY(listed.wait_for(0, QueueState::failed));
+    QCOMPARE(listed.queue.items()[0].request.complete, std::set{1});
+    QVERIFY(!fs::exists(folder / "f_0004.png"));
+  }
+
+  void failed_and_removed_frames_are_told_and_rendered_again_and_only_these() {
     const TestFolder folder;
     ListedQueue listed(folder / "renders");
     FrameExportRequest request = tiny_request(folder / "f.png");
@@ -133,14 +193,19 @@ class RenderQueueTest : public QObject {
     QVERIFY2(details().contains("3 of 4 frames") && details().contains("per frame") &&
                  details().contains("failed: 3"),
              qPrintable(details()));
+    const RenderQueue::Item& item = listed.queue.items()[0];
+    QCOMPARE(item.request.complete, (std::set{1, 2, 4}));
     auto* again = listed.list.findChild<QPushButton*>("queue_resume");
     QCOMPARE(again->text(), "Retry");
     const fs::path kept = folder / "f_0002.png";
     write_text(kept, "whole");
     fs::remove_all(folder / "f_0003.png");
+    fs::remove(folder / "f_0004.png");
     click(listed.list, "queue_resume");
     QVERIFY(listed.wait_for(0, QueueState::done));
+    QCOMPARE(item.rendered, 2);
     QVERIFY(fs::is_regular_file(folder / "f_0003.png"));
+    QVERIFY(fs::is_regular_file(folder / "f_0004.png"));
     QCOMPARE(read_bytes(kept), "whole");
     QVERIFY2(!details().contains("failed"), qPrintable(details()));
     QCOMPARE(again->text(), "Resume");
