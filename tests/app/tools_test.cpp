@@ -259,31 +259,32 @@ class ToolsTest : public QObject {
     QCOMPARE(tool.brush().radius, window->document().medium().radii()[1]);
     QCOMPARE(tool.brush().density, 0.8);
     QVERIFY(!window->document().is_modified());
+    window.key(Qt::Key_E);
+    window.key(Qt::Key_BracketRight);
+    QVERIFY(::tool<EraserTool>(window->tools()).radius() > 40.0);
   }
 
   void the_eraser_thins_and_deletes_as_one_step() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
-    window.key(Qt::Key_E);
-    const QPoint at = window.handle(1);
-    window.click(at);
+    desk.key(Qt::Key_E);
+    const QPoint at = desk.handle(1);
+    desk.click(at);
     QCOMPARE(last_step(document), "Erase 1 Gaussian");
     QVERIFY(document.medium().densities()[1] < 0.8 && document.medium().densities()[1] > 0.3);
     QCOMPARE(document.medium().densities()[0], 0.8);
-    window.drag(at - QPoint(60, 0), at + QPoint(60, 0));
+    desk.drag(at - QPoint(60, 0), at + QPoint(60, 0));
     QCOMPARE(step_count(document), 2);
     QVERIFY(!document.medium().index_of(2));
     QCOMPARE(document.medium().size(), 4u);
-    window.key(Qt::Key_Z, Qt::ControlModifier);
-    window.key(Qt::Key_Z, Qt::ControlModifier);
+    desk.key(Qt::Key_Z, Qt::ControlModifier);
+    desk.key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(document.scene() == before);
-    window.key(Qt::Key_BracketRight);
-    QVERIFY(::tool<EraserTool>(window->tools()).radius() > 40.0);
-    window.press(at);
+    desk.press(at);
     QVERIFY(document.is_modified());
-    QTest::keyClick(&window->viewport(), Qt::Key_Escape);
-    window.release(at);
+    QTest::keyClick(&desk.view(), Qt::Key_Escape);
+    desk.release(at);
     QVERIFY(document.scene() == before);
     QVERIFY(!document.is_modified());
   }

@@ -50,17 +50,17 @@ class ViewportTest : public QObject {
   }
 
   void a_drag_moves_the_selection_as_one_step() {
-    TestWindow window;
-    Document& document = window->document();
+    Desk desk;
+    Document& document = desk.document();
     const Scene before = document.scene();
     document.select({2, 3});
-    const QPoint from = window.handle(1);
+    const QPoint from = desk.handle(1);
     const QPoint to = from + QPoint(40, 25);
-    window.drag(from, to);
+    desk.drag(from, to);
     QCOMPARE(step_count(document), 1);
     QCOMPARE(last_step(document), "Move 2 Gaussians");
     // The handle went with the mouse, in the plane of the film; the other one went along.
-    QVERIFY((window.handle(1) - to).manhattanLength() <= 2);
+    QVERIFY((desk.handle(1) - to).manhattanLength() <= 2);
     const auto moved = [&](std::size_t k) {
       return document.medium().centers()[k] - before.medium.centers()[k];
     };
@@ -68,7 +68,7 @@ class ViewportTest : public QObject {
     QVERIFY(glm::length(moved(1)) > 0.1);
     QVERIFY(glm::distance(moved(1), moved(2)) < 1e-12);
     QVERIFY(moved(0) == glm::dvec3(0.0));
-    window.key(Qt::Key_Z, Qt::ControlModifier);
+    desk.key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(document.scene() == before);
   }
 
