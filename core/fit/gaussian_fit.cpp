@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -62,9 +63,6 @@ class Fitting {
     return std::sqrt(squares_.voxels / std::max(problem_.sum_of_squares(), 1e-300));
   }
 
-  // Objective: the sum of squares of all residuals.
-  [[nodiscard]] double squares() const { return squares_.all; }
-
   // Up to `steps` steps, ending early where one no longer takes the share `min_gain` of the
   // squares. False when stopped.
   bool descend(int steps, double target_error, double progress_begin, double progress_end,
@@ -80,21 +78,18 @@ class Fitting {
     return !stop_.stop_requested();
   }
 
-  // Moves the least useful Gaussians to where the residual is largest and optimizes again. If that
-  // is no better, reverts and moves fewer next time. False if stopped.
-  bool relocate_and_descend(int steps, double target_error, double progress_begin,
-                            double progress_end) {
-    const std::vector<FitGaussian> gaussians = gaussians_;
-    const std::vector<bool> renewed = renewed_;
-    const double squares = squares_.all;
-    relocate();
-    if (!descend(steps, target_error, progress_begin, progress_end)) return false;
-    if (squares_.all < squares) return true;
-    gaussians_ = gaussians;
-    renewed_ = renewed;
-    evaluate();
-    relocated_fraction_ *= 0.3;
-    return descend(steps, target_error, progress_begin, progress_end);
+  // Descends, and relocates before each round of steps but the first. False if stopped.
+  bool fit(int rounds, int steps, double target_error, double progress_begin, double progress_end) {
+    const double share = (progress_end - progress_begin) / rounds;
+    for (int round = 0; round < rounds; ++round) {
+      const double begin = progress_begin + round * share;
+      if (!(round == 0 ? descend(steps, target_error, begin, begin + share)
+                       : relocate_and_descend(steps, target_error, begin, begin + share))) {
+        return false;
+      }
+      if (error() <= target_error) break;
+    }
+    return true;
   }
 
   void scale_integral() {
@@ -116,6 +111,23 @@ class Fitting {
   [[nodiscard]] const std::vector<bool>& renewed() const { return renewed_; }
 
  private:
+  // Moves the least useful Gaussians to where the residual is largest and optimizes again. If that
+  // is no better, reverts and moves fewer next time. False if stopped.
+  bool relocate_and_descend(int steps, double target_error, double progress_begin,
+                            double progress_end) {
+    const std::vector<FitGaussian> gaussians = gaussians_;
+    const std::vector<bool> renewed = renewed_;
+    const double squares = squares_.all;
+    relocate();
+    if (!descend(steps, target_error, progress_begin, progress_end)) return false;
+    if (squares_.all < squares) return true;
+    gaussians_ = gaussians;
+    renewed_ = renewed;
+    evaluate();
+    relocated_fraction_ *= 0.3;
+    return descend(steps, target_error, progress_begin, progress_end);
+  }
+
   void evaluate() { squares_ = evaluate(residuals_); }
   // After gaussians_ have changed; within limits from then on.
   FitProblem::Squares evaluate(std::span<float> residuals) {
@@ -125,6 +137,11 @@ class Fitting {
     return problem_.residuals(residuals);
   }
   void relocate();
+  // The integral of a Gaussian's square over the volume of a voxel.
+  [[nodiscard]] double own_square(const FitGaussian& g) const {
+    return g.c * g.c * std::pow(std::numbers::pi / 2.0, 1.5) /
+           (g.a * g.a * g.a * grid_.voxel_volume());
+  }
   // One accepted step; false if none helps.
   bool step();
   Steps solve(const Steps& gradient, std::span<const double> weights);
@@ -243,13 +260,8 @@ bool Fitting::step() {
   problem_.apply_transposed(residuals_, gradient);
   ++products_;
   std::vector<double> weights(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const FitGaussian& g = gaussians_[i];
-    weights[i] = g.c * g.c * std::pow(std::numbers::pi / 2.0, 1.5) /
-                 (g.a * g.a * g.a * grid_.voxel_volume());
-  }
-  held_.clear();
-  if (shape_ == FitShape::ellipsoid) held_ = narrow_;
+  for (std::size_t i = 0; i < n; ++i) weights[i] = own_square(gaussians_[i]);
+  held_.resize(shape_ == FitShape::ellipsoid ? n : 0);
   for (std::size_t i = 0; i < held_.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) held_[i][k] = narrow_[i][k] && gradient[i][4 + k] < 0.0;
   }
@@ -262,9 +274,7 @@ bool Fitting::step() {
   const double squares_before = squares_.all;
   for (int attempt = 0; attempt < 6; ++attempt) {
     const Steps change = solve(gradient, weights);
-    for (std::size_t i = 0; i < n; ++i) {
-      gaussians_[i] = moved(previous[i], change[i], shape_);
-    }
+    for (std::size_t i = 0; i < n; ++i) gaussians_[i] = moved(previous[i], change[i], shape_);
     squares_ = evaluate(trial_residuals_);
     if (squares_.all < squares_before) {
       std::swap(residuals_, trial_residuals_);
@@ -289,12 +299,9 @@ void Fitting::relocate() {
   ++products_;
   std::vector<std::pair<double, std::size_t>> worth;
   for (std::size_t i = 0; i < n; ++i) {
-    const FitGaussian& g = gaussians_[i];
-    const double self_term = g.c * g.c * std::pow(std::numbers::pi / 2.0, 1.5) /
-                             (g.a * g.a * g.a * grid_.voxel_volume());
-    worth.emplace_back(self_term - 2.0 * gradient[i][3], i);
+    worth.emplace_back(own_square(gaussians_[i]) - 2.0 * gradient[i][3], i);
   }
-  std::sort(worth.begin(), worth.end());
+  std::ranges::sort(worth);
 
   // Cubes of voxels with the largest residual: a Gaussian there reduces the objective by about
   // this.
@@ -314,8 +321,7 @@ void Fitting::relocate() {
       places.push_back({sum * sum / (edge * edge * edge), g});
     });
   }
-  std::stable_sort(places.begin(), places.end(),
-                   [](const Place& a, const Place& b) { return a.gain > b.gain; });
+  std::ranges::stable_sort(places, std::greater(), &Place::gain);
   // One Gaussian at first makes up for what a cube of 4 lacks.
   std::set<std::tuple<int, int, int>> cubes;
   std::size_t k = 0;
@@ -334,21 +340,10 @@ void Fitting::relocate() {
 bool fit_anew(Fitting& fitting, const DensityGrid& grid, std::size_t count,
               const FitOptions& options, const std::stop_token& stop, double progress_begin,
               double progress_end) {
-  constexpr int rounds = 4;
-  constexpr int steps = 15;
   std::vector<FitGaussian> start = split_into_gaussians(grid, count, options.shape, stop);
   if (stop.stop_requested()) return false;
   fitting.begin(std::move(start));
-  for (int round = 0; round < rounds; ++round) {
-    const double begin = progress_begin + (progress_end - progress_begin) * round / rounds;
-    const double end = begin + (progress_end - progress_begin) / rounds;
-    const bool completed = round == 0
-                               ? fitting.descend(steps, options.max_error, begin, end)
-                               : fitting.relocate_and_descend(steps, options.max_error, begin, end);
-    if (!completed) return false;
-    if (fitting.error() <= options.max_error) break;
-  }
-  return true;
+  return fitting.fit(4, 15, options.max_error, progress_begin, progress_end);
 }
 
 }  // namespace
@@ -403,15 +398,7 @@ std::optional<Refit> refit_gaussians(const DensityGrid& grid, std::span<const Ga
                                      const std::function<void(double)>& progress) {
   Fitting fitting(grid, shape_of(start), stop, progress);
   fitting.begin(to_fit_gaussians(grid, start));
-  constexpr int rounds = 6;
-  constexpr int steps = 5;
-  for (int round = 0; round < rounds; ++round) {
-    const double begin = round / static_cast<double>(rounds);
-    const double end = (round + 1) / static_cast<double>(rounds);
-    const bool completed = round == 0 ? fitting.descend(steps, 0.0, begin, end)
-                                      : fitting.relocate_and_descend(steps, 0.0, begin, end);
-    if (!completed) return std::nullopt;
-  }
+  if (!fitting.fit(6, 5, 0.0, 0.0, 1.0)) return std::nullopt;
   fitting.scale_integral();
   return Refit{fitting.result(), fitting.renewed()};
 }

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <ranges>
 #include <set>
+#include <utility>
 
 #include "brume/at_time.h"
 #include "brume/error.h"
@@ -27,13 +29,15 @@ void check_value(const std::string& place, double value, const NumberDomain& dom
 
 namespace {
 
+using brume::check_value;
+
 template <int n>
 void check_value(const std::string& place, const glm::vec<n, double>& value,
                  const NumberDomain& domain) {
   for (int k = 0; k < n; ++k) {
     // Places are named for what is refused only: there are many values.
     if (!domain.contains(value[k])) {
-      brume::check_value(place + "[" + std::to_string(k) + "]", value[k], domain);
+      check_value(place + "[" + std::to_string(k) + "]", value[k], domain);
     }
   }
 }
@@ -66,7 +70,7 @@ auto in(const std::string& object) {
     }
     for (std::size_t i = 0; i < keys.size(); ++i) {
       const std::string key_place = element(list, i);
-      brume::check_value(key_place + ".time", keys[i].time, domain::seconds);
+      check_value(key_place + ".time", keys[i].time, domain::seconds);
       if (i > 0 && !(keys[i].time - keys[i - 1].time >= min_key_distance)) {
         throw DomainError(key_place + ".time", "allowed: later than the key before it");
       }
@@ -90,6 +94,15 @@ void check_count(const std::string& list, std::size_t count, std::size_t allowed
                               std::to_string(allowed));
 }
 
+// The elements of a list, of which there may be `allowed`, each with its place.
+auto elements(const std::string& list, const auto& values, std::size_t allowed) {
+  check_count(list, values.size(), allowed);
+  return std::views::iota(std::size_t{0}, values.size()) |
+         std::views::transform([list, &values](std::size_t i) {
+           return std::pair<std::string, decltype(values[i])>(element(list, i), values[i]);
+         });
+}
+
 void check_name(const std::string& place, const std::string& name, std::size_t shortest) {
   const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
   if (name.size() < shortest || name.size() > limits::name_length ||
@@ -109,6 +122,13 @@ void check_own_name(const std::string& place, const std::string& name,
   }
 }
 
+// A number by which others refer to an object.
+void check_own_id(const std::string& place, const char* kind, std::uint64_t id,
+                  std::set<std::uint64_t>& known) {
+  if (id != 0 && known.insert(id).second) return;
+  throw DomainError(place + ".id", std::string("allowed: above 0, and of no other ") + kind);
+}
+
 void check_optics(const std::string& place, const GaussianOptics& optics) {
   if (optics.albedo) check_value(place + ".albedo", *optics.albedo, domain::albedo);
   check_value(place + ".emission", optics.emission, domain::intensity);
@@ -123,22 +143,19 @@ void check_shape(const std::string& place, const GaussianShape& shape) {
   check_rotation(place + ".rotation", shape.rotation, 1e-9);
 }
 
-bool is_sound(const Gaussian& gaussian) {
-  const auto& [center, radius, density, optics, group, shape] = gaussian;
-  return domain::coordinate.contains(center.x) && domain::coordinate.contains(center.y) &&
-         domain::coordinate.contains(center.z) && domain::length.contains(radius) &&
-         domain::density.contains(density);
-}
-
 void check_gaussian(const std::string& list, std::size_t index, const Gaussian& gaussian) {
-  const bool has_optics = gaussian.optics != GaussianOptics();
-  if (is_sound(gaussian) && !has_optics && gaussian.is_ball()) return;
+  const auto& [center, radius, density, optics, group, shape] = gaussian;
+  // Its place is named only where there is something to say: there are many.
+  if (contains(domain::coordinate, center) && domain::length.contains(radius) &&
+      domain::density.contains(density) && optics == GaussianOptics() && gaussian.is_ball()) {
+    return;
+  }
   const std::string place = element(list, index);
-  check_value(place + ".center", gaussian.center, domain::coordinate);
-  brume::check_value(place + ".radius", gaussian.radius, domain::length);
-  brume::check_value(place + ".density", gaussian.density, domain::density);
-  check_optics(place, gaussian.optics);
-  check_shape(place + ".shape", gaussian.shape);
+  check_value(place + ".center", center, domain::coordinate);
+  check_value(place + ".radius", radius, domain::length);
+  check_value(place + ".density", density, domain::density);
+  check_optics(place, optics);
+  check_shape(place + ".shape", shape);
 }
 
 // Values of core/scene/fields.
@@ -173,10 +190,7 @@ void check_cameras(const Scene& scene) {
   check_camera("camera", scene.camera, scene.camera_keys);
   std::set<std::string> names;
   check_own_name("camera.name", scene.camera_name, names);
-  check_count("cameras", scene.cameras.size(), limits::cameras);
-  for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
-    const NamedCamera& camera = scene.cameras[i];
-    const std::string place = element("cameras", i);
+  for (const auto& [place, camera] : elements("cameras", scene.cameras, limits::cameras)) {
     check_own_name(place + ".name", camera.name, names);
     check_camera(place, camera.camera, camera.keys);
   }
@@ -202,12 +216,10 @@ void check_material(const std::string& place, const Material& material) {
 void check_copies(const std::string& place, const Copies& copies) {
   check_values(place, copies.scatter);
   if (!copies.placements) return;
-  check_count(place, copies.placements->size(), limits::copies);
-  for (std::size_t i = 0; i < copies.placements->size(); ++i) {
-    const auto& [translate, rotate, scale] = (*copies.placements)[i];
-    check_value(element(place, i) + ".translate", translate, domain::coordinate);
-    brume::check_value(element(place, i) + ".scale", scale, domain::length);
-    check_rotation(element(place, i) + ".rotate", rotate, 1e-3);
+  for (const auto& [copy, placement] : elements(place, *copies.placements, limits::copies)) {
+    check_value(copy + ".translate", placement.translate, domain::coordinate);
+    check_value(copy + ".scale", placement.scale, domain::length);
+    check_rotation(copy + ".rotate", placement.rotate, 1e-3);
   }
 }
 
@@ -234,26 +246,18 @@ void check_copy_count(const Scene& scene) {
 }
 
 void check_groups(const Scene& scene) {
-  check_count("medium.groups", scene.groups.size(), limits::groups);
-  std::set<GroupId> ids;
+  std::set<std::uint64_t> ids;
   std::set<std::string> names;
-  for (std::size_t i = 0; i < scene.groups.size(); ++i) {
-    const Group& group = scene.groups[i];
-    const std::string place = element("medium.groups", i);
-    if (group.id == 0 || !ids.insert(group.id).second) {
-      throw DomainError(place + ".id", "allowed: above 0, and of no other group");
-    }
+  for (const auto& [place, group] : elements("medium.groups", scene.groups, limits::groups)) {
+    check_own_id(place, "group", group.id, ids);
     check_own_name(place + ".name", group.name, names);
     check_fields(place, group, group.keys);
   }
-  for (std::size_t i = 0; i < scene.groups.size(); ++i) {
-    const Group& group = scene.groups[i];
+  for (const auto& [place, group] : elements("medium.groups", scene.groups, limits::groups)) {
     if (group.parent == 0) continue;
     const Group* parent = find_group(scene.groups, group.parent);
-    if (parent == nullptr || parent->parent != 0) {
-      throw DomainError(element("medium.groups", i) + ".parent",
-                        "allowed: the id of a group without a parent, or 0");
-    }
+    if (parent && parent->parent == 0) continue;
+    throw DomainError(place + ".parent", "allowed: the id of a group without a parent, or 0");
   }
   for (std::size_t i = 0; i < scene.medium.size(); ++i) {
     const GroupId group = scene.medium.group(i);
@@ -265,33 +269,28 @@ void check_groups(const Scene& scene) {
 
 void check_spline(const std::string& place, const PaintedSpline& spline) {
   if (spline.points.empty()) throw DomainError(place + ".points", "allowed: at least one");
-  check_count(place + ".points", spline.points.size(), limits::spline_points);
-  for (std::size_t i = 0; i < spline.points.size(); ++i) {
-    check_value(element(place + ".points", i), spline.points[i], domain::coordinate);
+  for (const auto& [point, value] :
+       elements(place + ".points", spline.points, limits::spline_points)) {
+    check_value(point, value, domain::coordinate);
   }
   const Paintbrush& brush = spline.brush;
-  brume::check_value(place + ".radius", brush.radius, domain::length);
-  brume::check_value(place + ".density", brush.density, domain::density);
-  brume::check_value(place + ".spacing", brush.spacing, domain::brush_spacing);
-  brume::check_value(place + ".scatter", brush.scatter, domain::brush_scatter);
-  brume::check_value(place + ".falloff", brush.falloff, domain::unit);
-  brume::check_value(place + ".flow", brush.flow, domain::unit);
-  brume::check_value(place + ".jitter", brush.jitter, domain::unit);
-  brume::check_value(place + ".stretch", brush.stretch, domain::brush_stretch);
+  check_value(place + ".radius", brush.radius, domain::length);
+  check_value(place + ".density", brush.density, domain::density);
+  check_value(place + ".spacing", brush.spacing, domain::brush_spacing);
+  check_value(place + ".scatter", brush.scatter, domain::brush_scatter);
+  check_value(place + ".falloff", brush.falloff, domain::unit);
+  check_value(place + ".flow", brush.flow, domain::unit);
+  check_value(place + ".jitter", brush.jitter, domain::unit);
+  check_value(place + ".stretch", brush.stretch, domain::brush_stretch);
   check_value(place + ".mirror_center", spline.mirrors.center, domain::coordinate);
   check_optics(place, spline.optics);
 }
 
 void check_splines(const Scene& scene) {
-  check_count("medium.splines", scene.splines.size(), limits::splines);
-  std::set<SplineId> ids;
+  std::set<std::uint64_t> ids;
   std::set<std::string> names;
-  for (std::size_t i = 0; i < scene.splines.size(); ++i) {
-    const PaintedSpline& spline = scene.splines[i];
-    const std::string place = element("medium.splines", i);
-    if (spline.id == 0 || !ids.insert(spline.id).second) {
-      throw DomainError(place + ".id", "allowed: above 0, and of no other spline");
-    }
+  for (const auto& [place, spline] : elements("medium.splines", scene.splines, limits::splines)) {
+    check_own_id(place, "spline", spline.id, ids);
     check_own_name(place + ".name", spline.name, names);
     check_spline(place, spline);
   }
@@ -303,8 +302,8 @@ void check_sequence(const std::string& place, const MediumSequence& sequence) {
   check_integer(place + ".last", sequence.last, sequence.first,
                 std::min<std::int64_t>(max_frame,
                                        std::int64_t{sequence.first} + limits::sequence_frames - 1));
-  brume::check_value(place + ".frames_per_second", sequence.frames_per_second, domain::rate);
-  brume::check_value(place + ".start", sequence.start, domain::seconds);
+  check_value(place + ".frames_per_second", sequence.frames_per_second, domain::rate);
+  check_value(place + ".start", sequence.start, domain::seconds);
   if (!sequence.frames) throw DomainError(place + ".frames", "there are none");
   const SequenceFrames& frames = *sequence.frames;
   if (frames.size() != static_cast<std::size_t>(sequence.last - sequence.first) + 1) {
@@ -332,32 +331,27 @@ void check_medium(const Scene& scene) {
   check_fields("medium.noise", scene.optics.noise, scene.optics.noise.keys);
   check_groups(scene);
   check_splines(scene);
-  check_count("medium.emitters", scene.emitters.size(), limits::emitters);
-  for (std::size_t i = 0; i < scene.emitters.size(); ++i) {
-    const std::string place = element("medium.emitters", i);
-    check_name(place + ".name", scene.emitters[i].name, 0);
-    check_fields(place, scene.emitters[i], scene.emitters[i].keys);
+  for (const auto& [place, emitter] :
+       elements("medium.emitters", scene.emitters, limits::emitters)) {
+    check_name(place + ".name", emitter.name, 0);
+    check_fields(place, emitter, emitter.keys);
   }
-  check_count("medium.sequences", scene.sequences.size(), limits::sequences);
-  for (std::size_t i = 0; i < scene.sequences.size(); ++i) {
-    check_sequence(element("medium.sequences", i), scene.sequences[i]);
-  }
+  for (const auto& [place, sequence] :
+       elements("medium.sequences", scene.sequences, limits::sequences))
+    check_sequence(place, sequence);
   check_count("medium, with emitters and sequences", gaussian_count(scene), limits::gaussians);
-}
-
-void check_shutter(const std::string& place, const Shutter& shutter) {
-  brume::check_value(place + "[0]", shutter.open, domain::shutter);
-  brume::check_value(place + "[1]", shutter.close, domain::shutter);
-  if (!(shutter.open < shutter.close)) {
-    throw DomainError(place, "allowed: one that opens before it closes");
-  }
 }
 
 void check_output(const Output& output) {
   if (output.paths) check_integer("output.paths", *output.paths, 1, limits::paths);
   if (output.samples) check_integer("output.samples", *output.samples, 1, limits::samples);
-  if (output.shutter) check_shutter("output.shutter", *output.shutter);
-  if (output.exposure) brume::check_value("output.exposure", *output.exposure, domain::stops);
+  if (const auto& shutter = output.shutter) {
+    check_value("output.shutter", glm::dvec2(shutter->open, shutter->close), domain::shutter);
+    if (!(shutter->open < shutter->close)) {
+      throw DomainError("output.shutter", "allowed: one that opens before it closes");
+    }
+  }
+  if (output.exposure) check_value("output.exposure", *output.exposure, domain::stops);
 }
 
 }  // namespace
@@ -414,13 +408,12 @@ void check(const Scene& scene) {
         throw DomainError("environment.sky", found_beside("file"));
       }
       check_fields("environment.sky", *sky, sky->keys);
-    } else if (!scene.environment->map)
+    } else if (!scene.environment->map) {
       throw DomainError("environment.map", "there is none");
+    }
   }
-  check_count("surfaces", scene.surfaces.size(), limits::surfaces);
-  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    check_surface(element("surfaces", i), scene.surfaces[i]);
-  }
+  for (const auto& [place, surface] : elements("surfaces", scene.surfaces, limits::surfaces))
+    check_surface(place, surface);
   check_copy_count(scene);
 }
 
