@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <string_view>
 
@@ -20,6 +21,7 @@
 #include "tools/bench/errors/surface_light_errors.h"
 #include "tools/bench/errors/transfer_errors.h"
 #include "tools/bench/measure/cache_gains.h"
+#include "tools/bench/measure/frames.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 #include "tools/bench/scenes/table_one_scenes.h"
 
@@ -106,7 +108,7 @@ SceneReport measure_scene(const BenchScene& bench, const BenchOptions& options, 
 // After a first frame, which makes what the others keep.
 MovedFrames cost(const Scene& scene, const Settings& settings, bool quick) {
   Renderer renderer;
-  static_cast<void>(renderer.render(scene, scene.camera, scene.film, settings));
+  static_cast<void>(render_frame(renderer, scene, settings));
   return moved_frames(renderer, scene, settings, quick ? 3 : 9);
 }
 
@@ -162,9 +164,7 @@ constexpr Film frontier_film{200, 150};
 constexpr std::array<std::string_view, 4> cached_scenes{"statue", "box", "machine", "terrain_sky"};
 
 void add_cache_gains(const MovingView& view, const BenchOptions& options, BenchReport& report) {
-  for (CacheGain& gain : measure_caches(view, options.quick ? 3 : 5)) {
-    report.caches.push_back(std::move(gain));
-  }
+  std::ranges::move(measure_caches(view, options.quick ? 3 : 5), std::back_inserter(report.caches));
 }
 
 // One of its scenes, and what caches give in it.
@@ -179,7 +179,7 @@ void measure_table_one(const TableOneScene& kind, const BenchOptions& options,
   const ReferenceSample reference = find_reference(scene, 300, 1e-3);
   TableOneRow row{kind.name, kind.frames_per_second, {}, {}};
   Renderer renderer(transfers);
-  static_cast<void>(renderer.render(scene, scene.camera, scene.film, settings));
+  static_cast<void>(render_frame(renderer, scene, settings));
   // The camera turns as in the editor: each frame shows triangles that the last one did not.
   constexpr double turn = 0.5;
   row.measurement = measure(renderer, scene, settings, reference.sample, 2.0, {turn, 1});

@@ -82,6 +82,8 @@ SceneDocument load(const std::string& file, std::vector<std::string>& warnings,
   return document;
 }
 
+}  // namespace
+
 SceneDocument read_document(const std::string& file, CommandFiles& files,
                             std::vector<std::filesystem::path>* missing) {
   files.add_input(file);
@@ -90,17 +92,6 @@ SceneDocument read_document(const std::string& file, CommandFiles& files,
   print_warnings(warnings);
   for (const std::filesystem::path& other : files_of(document)) files.add_input(other);
   return document;
-}
-
-}  // namespace
-
-SceneDocument read_document(const std::string& file, CommandFiles& files) {
-  return read_document(file, files, nullptr);
-}
-
-SceneDocument read_document(const std::string& file, CommandFiles& files,
-                            std::vector<std::filesystem::path>& missing) {
-  return read_document(file, files, &missing);
 }
 
 Scene read_scene(const std::string& file, CommandFiles& files) {

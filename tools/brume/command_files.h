@@ -44,12 +44,10 @@ class CommandFiles {
 };
 
 // Loads the scene of a command, whose other files become inputs of it; prints what there is to warn
-// of. Throws InputError.
-SceneDocument read_document(const std::string& file, CommandFiles& files);
-// The same where only files of some frames of sequences may be missing, which are appended to
-// `missing`.
+// of. Files of some frames of sequences may be missing if `missing` is given, which gets them.
+// Throws InputError.
 SceneDocument read_document(const std::string& file, CommandFiles& files,
-                            std::vector<std::filesystem::path>& missing);
+                            std::vector<std::filesystem::path>* missing = nullptr);
 // The scene of it alone.
 Scene read_scene(const std::string& file, CommandFiles& files);
 

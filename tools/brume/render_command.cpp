@@ -205,7 +205,7 @@ ExitCode render_sequence(const RenderOptions& options) {
     CommandFiles files = options.outputs();
     std::vector<std::filesystem::path> missing;
     const auto start = std::chrono::steady_clock::now();
-    SceneDocument document = read_document(options.scene_file(), files, missing);
+    SceneDocument document = read_document(options.scene_file(), files, &missing);
     const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - start;
     return FrameSequence(options, std::move(document), std::move(missing), reading.count()).run();
   } catch (const InputError& error) {

@@ -176,24 +176,17 @@ double error_of(Scene scene, const Settings& settings) {
   return rel_rmse(render_frame(scene, settings).airlight, render_frame(scene, reference).airlight);
 }
 
-// Frames of both scenes in turn; each is changed by `step` before.
-template <class Step>
-Spread ratio(std::array<Scene, 2> scenes, const Settings& settings, int frames, Step step) {
+// Frame times of the second scene over those of the first, each changed by `step` before each
+// frame.
+Spread ratio(std::array<Scene, 2> scenes, const Settings& settings, int frames,
+             void (*step)(Scene& scene)) {
   std::array<Renderer, 2> renderers;
-  std::vector<double> ratios;
-  for (int i = 0; i <= frames; ++i) {
-    std::array<double, 2> milliseconds{};
-    for (std::size_t k = 0; k < 2; ++k) {
-      Scene& scene = scenes[k];
-      scene.film = kinds_speed_film;
-      step(scene);
-      milliseconds[k] = renderers[k]
-                            .render(scene, scene.camera, scene.film, settings)
-                            ->statistics.frame_milliseconds;
-    }
-    if (i > 0) ratios.push_back(milliseconds[1] / milliseconds[0]);
-  }
-  return spread_of(std::move(ratios));
+  return frame_time_ratio(frames, [&](std::size_t k, int) {
+    Scene& scene = scenes[k];
+    scene.film = kinds_speed_film;
+    step(scene);
+    return render_frame(renderers[k], scene, settings).statistics.frame_milliseconds;
+  });
 }
 
 void move_camera(Scene& scene) {

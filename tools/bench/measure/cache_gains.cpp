@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -10,7 +9,6 @@
 #include "render/prepare/merged_medium.h"
 #include "render/renderer.h"
 #include "tools/bench/measure/plan_decisions.h"
-#include "tools/bench/scenes/benchmark_scenes.h"
 
 namespace brume {
 namespace {
@@ -33,12 +31,10 @@ struct TimedFrame {
 TimedFrame timed_frame(Renderer& renderer, const Scene& scene, const Camera& camera,
                        const Settings& settings, const Motion& motion) {
   TimedFrame timed;
-  const double cpu_begin = cpu_seconds();
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   timed.frame = *renderer.render(scene, camera, scene.film, settings, {}, {}, motion);
-  timed.milliseconds =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  timed.cpu_milliseconds = 1e3 * (cpu_seconds() - cpu_begin);
+  timed.milliseconds = watch.milliseconds();
+  timed.cpu_milliseconds = watch.cpu_milliseconds();
   return timed;
 }
 

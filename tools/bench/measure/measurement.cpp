@@ -1,7 +1,6 @@
 #include "tools/bench/measure/measurement.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -10,18 +9,16 @@
 #include <numeric>
 
 #include "tools/bench/measure/frames.h"
-#include "tools/bench/scenes/benchmark_scenes.h"
 
 namespace brume {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+double Stopwatch::milliseconds() const {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin_)
+      .count();
 }
 
-}  // namespace
+double Stopwatch::cpu_milliseconds() const {
+  return 1e3 * (cpu_seconds() - cpu_begin_);
+}
 
 Camera moved(Camera camera, const CameraStep& step, int steps) {
   const glm::dvec3 from_target = camera.eye - camera.target;
@@ -45,10 +42,10 @@ std::string setting_name(const Settings& settings) {
 
 ReferenceSample find_reference(const Scene& scene, std::size_t pixels, double tolerance) {
   const Frame guide = render_frame(scene, sliced_settings({}, 12));
-  const double begin = cpu_seconds();
+  const Stopwatch watch;
   ErrorSample sample = *ErrorSample::create(scene, scene.camera, guide, pixels, 1, tolerance);
   const double film = static_cast<double>(scene.film.width) * scene.film.height;
-  return {std::move(sample), 1e3 * (cpu_seconds() - begin) * film / static_cast<double>(pixels)};
+  return {std::move(sample), watch.cpu_milliseconds() * film / static_cast<double>(pixels)};
 }
 
 MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
@@ -58,16 +55,15 @@ MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Sett
   std::vector<double> cpu_times;
   std::map<Stage, std::vector<double>> stages;
   std::vector<Stage> order;
-  const Clock::time_point begin = Clock::now();
+  const Stopwatch all;
   for (int i = 1; i <= std::max(min_frames, max_frames); ++i) {
-    if (i > min_frames && milliseconds_since(begin) > 1e3 * seconds) break;
+    if (i > min_frames && all.milliseconds() > 1e3 * seconds) break;
     // Nothing of the last view can be used again.
     const Camera camera = moved(scene.camera, step, step.first + i - 1);
-    const Clock::time_point start = Clock::now();
-    const double cpu_start = cpu_seconds();
+    const Stopwatch watch;
     const Frame frame = *renderer.render(scene, camera, scene.film, settings);
-    cpu_times.push_back(1e3 * (cpu_seconds() - cpu_start));
-    times.push_back(milliseconds_since(start));
+    cpu_times.push_back(watch.cpu_milliseconds());
+    times.push_back(watch.milliseconds());
     for (const StageTime& stage : frame.statistics.stages) {
       if (!stages.contains(stage.stage)) order.push_back(stage.stage);
       stages[stage.stage].push_back(stage.milliseconds);
@@ -80,20 +76,24 @@ MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Sett
   return result;
 }
 
+Spread frame_time_ratio(int rounds, const std::function<double(std::size_t k, int i)>& render) {
+  std::vector<double> ratios;
+  for (int i = 0; i <= rounds; ++i) {
+    const double first = render(0, i);
+    const double second = render(1, i);
+    if (i > 0) ratios.push_back(second / first);
+  }
+  return spread_of(std::move(ratios));
+}
+
 Spread frame_time_ratio(std::array<Renderer, 2> renderers, const Scene& scene,
                         const std::array<Settings, 2>& settings, int frames,
                         const CameraStep& step) {
-  std::vector<double> ratios;
-  for (int i = 0; i <= frames; ++i) {
-    const Camera camera = moved(scene.camera, step, i);
-    std::array<double, 2> milliseconds{};
-    for (std::size_t k = 0; k < 2; ++k) {
-      const Frame frame = *renderers[k].render(scene, camera, scene.film, settings[k]);
-      milliseconds[k] = frame.statistics.frame_milliseconds;
-    }
-    if (i > 0) ratios.push_back(milliseconds[1] / milliseconds[0]);
-  }
-  return spread_of(std::move(ratios));
+  return frame_time_ratio(frames, [&](std::size_t k, int i) {
+    const Frame frame =
+        *renderers[k].render(scene, moved(scene.camera, step, i), scene.film, settings[k]);
+    return frame.statistics.frame_milliseconds;
+  });
 }
 
 Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
@@ -101,11 +101,10 @@ Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings&
   Measurement result;
   result.setting = setting_name(settings);
   result.settings = settings;
-  const Clock::time_point begin = Clock::now();
-  const double cpu_begin = cpu_seconds();
+  const Stopwatch watch;
   const Frame first = render_frame(renderer, scene, settings);
-  result.first_milliseconds = milliseconds_since(begin);
-  result.first_cpu_milliseconds = 1e3 * (cpu_seconds() - cpu_begin);
+  result.first_milliseconds = watch.milliseconds();
+  result.first_cpu_milliseconds = watch.cpu_milliseconds();
   result.error = reference.measure(first);
   result.pairs = first.statistics.view_pairs;
   static_cast<MovedFrames&>(result) = moved_frames(renderer, scene, settings, 3, seconds, step);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +14,7 @@
 #include "render/frame_renderer.h"
 #include "render/quality/error_estimate.h"
 #include "render/renderer.h"
+#include "tools/bench/scenes/benchmark_scenes.h"
 
 namespace brume {
 
@@ -20,6 +23,17 @@ struct MovedFrames {
   Spread milliseconds;
   Spread cpu_milliseconds;        // summed over threads: less sensitive to other programs
   std::vector<StageTime> stages;  // medians
+};
+
+// Time since it was made [ms]: of the clock, and of the CPU, all threads together.
+class Stopwatch {
+ public:
+  [[nodiscard]] double milliseconds() const;
+  [[nodiscard]] double cpu_milliseconds() const;
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  double cpu_begin_ = cpu_seconds();
 };
 
 // How the camera moves from frame to frame.
@@ -36,9 +50,11 @@ Camera moved(Camera camera, const CameraStep& step, int steps);
 MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
                          int min_frames, double seconds = 0.0, const CameraStep& step = {});
 
-// Frame times of a moving camera with the second settings over those with the first: a frame of
-// each in turn, so that other programs disturb both alike, after one that fills their renderer's
-// caches.
+// The time of the second of two frames over that of the first: render(k, i) is the time of the
+// k-th in the i-th round, in turn, so that other programs disturb both alike. The first round,
+// which fills caches, does not count.
+Spread frame_time_ratio(int rounds, const std::function<double(std::size_t k, int i)>& render);
+// The same of a moving camera with two settings.
 Spread frame_time_ratio(std::array<Renderer, 2> renderers, const Scene& scene,
                         const std::array<Settings, 2>& settings, int frames,
                         const CameraStep& step = {});

@@ -1,9 +1,11 @@
 #include "tools/bench/report/bench_compare.h"
 
-#include <cstdio>
+#include <algorithm>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 
 #include "brume/error.h"
+#include "tools/bench/measure/report_text.h"
 
 namespace brume {
 namespace {
@@ -12,25 +14,13 @@ using Json = nlohmann::json;
 
 constexpr double tolerated = 1.05;
 
-std::string percent(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f%%", 100.0 * x);
-  return text;
-}
-
-std::string milliseconds(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f ms", x);
-  return text;
-}
-
 void compare_errors(const std::string& label, const Json& before, const Json& after,
                     std::vector<std::string>& lines) {
   const double high = before.at("error").at("high").get<double>();
   const double low = after.at("error").at("low").get<double>();
   if (low > high) {
-    lines.push_back(label + ": less accurate, now at least " + percent(low) + ", before at most " +
-                    percent(high));
+    lines.push_back(label + formatted(": less accurate, now at least %.2f%%, before at most %.2f%%",
+                                      100.0 * low, 100.0 * high));
   }
 }
 
@@ -39,8 +29,8 @@ void compare_times(const std::string& label, const Json& before, const Json& aft
   const double slowest = before.at("cpu_ms").at("max").get<double>();
   const double fastest = after.at("cpu_ms").at("min").get<double>();
   if (fastest > tolerated * slowest) {
-    lines.push_back(label + ": slower, now at least " + milliseconds(fastest) +
-                    ", before at most " + milliseconds(slowest));
+    lines.push_back(label + formatted(": slower, now at least %.1f ms, before at most %.1f ms",
+                                      fastest, slowest));
   }
 }
 
@@ -50,52 +40,32 @@ void compare(const std::string& label, const Json& before, const Json& after,
   compare_errors(label, before, after, lines);
 }
 
-void compare_scenes(const Json& before, const Json& after, std::vector<std::string>& lines) {
-  const Json& old_scenes = before.at("scenes");
-  const Json& old_rows = before.at("table_one");
-  for (const Json& scene : after.at("scenes")) {
-    for (const Json& old : old_scenes) {
-      if (old.at("name") != scene.at("name") || old.at("size") != scene.at("size")) continue;
-      for (const Json& setting : scene.at("settings")) {
-        for (const Json& known : old.at("settings")) {
-          if (known.at("setting") != setting.at("setting")) continue;
-          compare(
-              scene.at("name").get<std::string>() + ", " + setting.at("setting").get<std::string>(),
-              known, setting, lines);
-        }
+// Calls compare(old row, row) for the rows of a list of both reports that agree in some values.
+void compare_rows(const Json& before, const Json& after, const char* list,
+                  std::initializer_list<const char*> same, const auto& compare) {
+  const Json& old_rows = before.at(list);
+  for (const Json& row : after.at(list)) {
+    for (const Json& old : old_rows) {
+      if (std::ranges::all_of(same, [&](auto key) { return old.at(key) == row.at(key); })) {
+        compare(old, row);
       }
     }
   }
-  for (const Json& row : after.at("table_one")) {
-    for (const Json& old : old_rows) {
-      if (old.at("name") != row.at("name")) continue;
-      compare("Table 1, " + row.at("name").get<std::string>(), old, row, lines);
-    }
-  }
 }
 
-// Rows identified by their label. Older reports do not have them.
-void compare_rows(const char* section, const Json& before, const Json& after,
-                  std::vector<std::string>& lines) {
-  if (!before.contains(section) || !after.contains(section)) return;
-  for (const Json& row : after.at(section)) {
-    for (const Json& old : before.at(section)) {
-      if (old.at("what") != row.at("what")) continue;
-      compare_errors(row.at("what").get<std::string>(), old, row, lines);
-    }
-  }
+std::string text(const Json& row, const char* key) {
+  return row.at(key).get<std::string>();
 }
 
-// Frames with a cache. Older reports do not have them.
-void compare_caches(const Json& before, const Json& after, std::vector<std::string>& lines) {
-  if (!before.contains("caches") || !after.contains("caches")) return;
-  for (const Json& row : after.at("caches")) {
-    for (const Json& old : before.at("caches")) {
-      if (old.at("cache") != row.at("cache") || old.at("scene") != row.at("scene")) continue;
-      compare_times(row.at("scene").get<std::string>() + ", " + row.at("cache").get<std::string>(),
-                    old, row, lines);
-    }
-  }
+void compare_scenes(const Json& before, const Json& after, std::vector<std::string>& lines) {
+  compare_rows(before, after, "scenes", {"name", "size"}, [&](const Json& old, const Json& scene) {
+    compare_rows(old, scene, "settings", {"setting"}, [&](const Json& known, const Json& setting) {
+      compare(text(scene, "name") + ", " + text(setting, "setting"), known, setting, lines);
+    });
+  });
+  compare_rows(before, after, "table_one", {"name"}, [&](const Json& old, const Json& row) {
+    compare("Table 1, " + text(row, "name"), old, row, lines);
+  });
 }
 
 }  // namespace
@@ -107,10 +77,21 @@ std::vector<std::string> compare_reports(const std::filesystem::path& old_file,
     const Json before = Json::parse(old_json);
     const Json after = Json::parse(new_json);
     compare_scenes(before, after, lines);
+    // Older reports lack some.
+    const auto both_have = [&](const char* list) {
+      return before.contains(list) && after.contains(list);
+    };
     for (const char* section : {"patches", "noise", "lamp_light", "arriving_light", "transfer"}) {
-      compare_rows(section, before, after, lines);
+      if (!both_have(section)) continue;
+      compare_rows(before, after, section, {"what"}, [&](const Json& old, const Json& row) {
+        compare_errors(text(row, "what"), old, row, lines);
+      });
     }
-    compare_caches(before, after, lines);
+    if (!both_have("caches")) return lines;
+    compare_rows(before, after, "caches", {"cache", "scene"},
+                 [&](const Json& old, const Json& row) {
+                   compare_times(text(row, "scene") + ", " + text(row, "cache"), old, row, lines);
+                 });
   } catch (const Json::exception& e) {
     throw InputError(old_file, "", std::string("is not a report of brume bench: ") + e.what());
   }

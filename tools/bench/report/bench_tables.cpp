@@ -40,7 +40,7 @@ ReportTable setting_table(const std::vector<SceneReport>& scenes) {
              (column.method == AirlightMethod::paper || m.settings.slices == column.slices);
     });
   };
-  ReportTable table{"Error per setting", "", {"scene"}, {}, ""};
+  ReportTable table{"Error per setting", "", {"scene"}};
   for (const Column& column : columns) {
     const auto found = find(scenes[0], column);
     if (found == scenes[0].settings.end()) return {};
@@ -83,9 +83,7 @@ ReportTable hard_case_table(const std::vector<HardCaseRow>& rows) {
           "stated bound, `auto` its own bound unless it reported otherwise.",
           rows.size(), 100.0 * hard_case_max_error, 100.0 * hard_case_reference_bound,
           100.0 * hard_case_paper_bound, hard_case_transmittance_bound),
-      {"case", "what breaks", "remedy", "reference", "sliced"},
-      {},
-      ""};
+      {"case", "what breaks", "remedy", "reference", "sliced"}};
   if (with_gl) table.heads.emplace_back("OpenGL");
   table.heads.insert(table.heads.end(), {"auto", "paper", "bound of `sliced`"});
   for (const auto& [hard_case, errors] : rows) {
@@ -164,9 +162,7 @@ ReportTable cache_table(const std::vector<CacheGain>& gains) {
       "counted. Medians, with quartiles in parentheses. Lines: code that the cache costs. "
       "Difference: the largest of any pixel, relative to the maximum.",
       {"cache", "scene", "with, ms", "without, ms", "more frames per second", "lines", "in",
-       "difference"},
-      {},
-      ""};
+       "difference"}};
   for (const CacheGain& gain : gains) {
     table.rows.push_back(
         {gain.cache, gain.scene, with_quartiles(gain.with_ms, 1.0, 1, ""),

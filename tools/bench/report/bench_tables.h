@@ -13,8 +13,8 @@ struct ReportTable {
   std::string title;  // of its section; empty: it belongs to the section of the table before it
   std::string lead;   // what it shows
   std::vector<std::string> heads;
-  std::vector<std::vector<std::string>> rows;  // of as many cells as there are heads
-  std::string remark;                          // below it; empty: none
+  std::vector<std::vector<std::string>> rows{};  // of as many cells as there are heads
+  std::string remark{};                          // below it; empty: none
 };
 
 inline constexpr char bench_title[] = "Speed against error";

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "tools/bench/measure/report_text.h"
 
@@ -109,12 +108,6 @@ const char* color_of(const Settings& settings) {
   return "#000";
 }
 
-std::string title(const std::string& name, double error, double milliseconds) {
-  char value[96];
-  std::snprintf(value, sizeof value, ": %.3f%%, %.1f ms", 100.0 * error, milliseconds);
-  return name + value;
-}
-
 }  // namespace
 
 std::string frontier_plot(const SceneReport& scene, bool with_legend) {
@@ -138,7 +131,8 @@ std::string frontier_plot(const SceneReport& scene, bool with_legend) {
   std::vector<std::pair<std::string, std::string>> legend;
   const auto dot = [&](const std::string& name, double error, double milliseconds,
                        const char* color, const std::string& kind) {
-    plot.dot(100.0 * error, milliseconds, color, title(name, error, milliseconds));
+    plot.dot(100.0 * error, milliseconds, color,
+             name + formatted(": %.3f%%, %.1f ms", 100.0 * error, milliseconds));
     const std::pair<std::string, std::string> entry{kind, color};
     if (std::ranges::find(legend, entry) == legend.end()) legend.push_back(entry);
   };

@@ -33,9 +33,7 @@ ReportTable fastest_table(const std::vector<SceneReport>& scenes) {
       "Fastest setting per error bound",
       "CPU milliseconds per frame of the fastest setting that meets each error bound. The last "
       "column is the time that the reference would take.",
-      {"scene"},
-      {},
-      ""};
+      {"scene"}};
   for (const double level : bench_error_levels) {
     table.heads.push_back(formatted("%g%%", 100.0 * level));
   }
@@ -66,9 +64,7 @@ ReportTable peer_table(const std::vector<SceneReport>& scenes) {
       "at 2%: by that of a frame with a moving camera, and by that of the first frame, which also "
       "builds the caches of later ones.",
       {"scene", "Brume", "first frame", "renderer", "setting", "CPU time", "error",
-       "ratio to Brume"},
-      {},
-      ""};
+       "ratio to Brume"}};
   for (const SceneReport& scene : scenes) {
     const auto ours = cheapest_within(scene.settings, level);
     for (const OtherRendererRow& peer : best_of_programs(scene, level)) {
@@ -92,11 +88,10 @@ ReportTable peer_table(const std::vector<SceneReport>& scenes) {
 }
 
 ReportTable gl_table(const BenchReport& report) {
-  ReportTable table{"OpenGL",
-                    "On " + report.gl_device + ", frames with a moving camera.",
-                    {"scene", "setting", "milliseconds", "on the CPU", "error", "error on the CPU"},
-                    {},
-                    ""};
+  ReportTable table{
+      "OpenGL",
+      "On " + report.gl_device + ", frames with a moving camera.",
+      {"scene", "setting", "milliseconds", "on the CPU", "error", "error on the CPU"}};
   for (const SceneReport& scene : report.scenes) {
     for (const Measurement& m : scene.on_gl) {
       const auto cpu = std::ranges::find(scene.settings, m.settings, &Measurement::settings);
@@ -116,9 +111,7 @@ ReportTable table_one_table(const std::vector<TableOneRow>& rows) {
       "meet 2%. The camera orbits the scene by half a degree per frame. The paper's frame rates "
       "are those of a GPU of 2007. All orders is the time of a frame with all orders of "
       "scattering over that of one with light scattered once, as measured in turn.",
-      {"scene", "frames per second", "paper", "setting", "error", "stages, ms", "all orders"},
-      {},
-      ""};
+      {"scene", "frames per second", "paper", "setting", "error", "stages, ms", "all orders"}};
   for (const TableOneRow& row : rows) {
     const Measurement& m = row.measurement;
     const Spread& ms = m.milliseconds;
@@ -136,9 +129,7 @@ ReportTable curve_table(const std::vector<CostCurve>& curves) {
       "CPU milliseconds per frame for a box of 1,000 Gaussians of constant optical depth, with one "
       "light, 200 x 150 pixels and sliced 24, as one quantity grows. The exponent is that of a "
       "power law.",
-      {"quantity", "", "exponent"},
-      {},
-      ""};
+      {"quantity", "", "exponent"}};
   for (const CostCurve& curve : curves) {
     std::string points;
     for (const CostPoint& p : curve.points) {
@@ -152,9 +143,7 @@ ReportTable curve_table(const std::vector<CostCurve>& curves) {
 ReportTable thread_table(const std::vector<ThreadRow>& rows) {
   ReportTable table{"Threads",
                     "The same box at 800 x 600.",
-                    {"threads", "milliseconds per frame", "speed-up over one"},
-                    {},
-                    ""};
+                    {"threads", "milliseconds per frame", "speed-up over one"}};
   for (const ThreadRow& row : rows) {
     table.rows.push_back(
         {formatted("%d", row.threads), with_spread(row.milliseconds, 1),
@@ -170,9 +159,7 @@ ReportTable fog_bank_table(const std::vector<FogBankRow>& rows) {
       "fewest slices for an error of 2%. Merged: into how many Gaussians, as `sliced` with few "
       "slices does where that is faster.",
       {"Gaussians", "setting", "merged", "milliseconds per frame", "error",
-       "unmerged, times slower"},
-      {},
-      ""};
+       "unmerged, times slower"}};
   for (const FogBankRow& row : rows) {
     table.rows.push_back({formatted("%d", row.gaussians), row.measurement.setting,
                           row.merged > 0 ? formatted("%zu", row.merged) : "no",
@@ -189,9 +176,7 @@ ReportTable saving_table(const std::vector<PlanSaving>& savings) {
       "Stages that a scene does not need are skipped. For comparison, the same scene with almost "
       "nothing for the stage to do (a density, light or amplitude of a billionth), so that it "
       "runs. CPU milliseconds per frame of 200 x 150, and the relative difference of the pictures.",
-      {"stage", "skipped because", "skipped", "run", "difference"},
-      {},
-      ""};
+      {"stage", "skipped because", "skipped", "run", "difference"}};
   for (const PlanSaving& saving : savings) {
     table.rows.push_back({to_string(saving.stage), saving.why, with_spread(saving.left_out, 2),
                           with_spread(saving.made, 2), formatted("%.0g", saving.change)});

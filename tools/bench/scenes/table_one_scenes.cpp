@@ -33,11 +33,6 @@ void light_by(const char* environment, double intensity, double rotation, Scene&
   for (Surface& s : scene.surfaces) s.transfer = Surface::Transfer::interreflection;
 }
 
-Scene without_lights(Scene scene) {
-  scene.lights.clear();
-  return scene;
-}
-
 // A floor at height y.
 MeshBuilder::Place level(double half, double y) {
   return [=](double u, double v) {
@@ -275,16 +270,10 @@ Scene machine_scene() {
   return scene;
 }
 
-Scene terrain_sky_scene() {
-  return without_lights(terrain_scene());
-}
-
-Scene city_sky_scene() {
-  return without_lights(city_scene());
-}
-
-Scene machine_sky_scene() {
-  return without_lights(machine_scene());
+Scene TableOneScene::make() const {
+  Scene scene = with_lights();
+  if (!has_lights) scene.lights.clear();
+  return scene;
 }
 
 }  // namespace brume

@@ -207,7 +207,7 @@ class SubmitCommand final : public Command {
     sequence_.check_names();
     CommandFiles files = options_.outputs();
     std::vector<std::filesystem::path> missing;
-    const SceneDocument document = read_document(options_.scene_file(), files, missing);
+    const SceneDocument document = read_document(options_.scene_file(), files, &missing);
     sequence_.frames_per_second = options_.frame_rate(document.scene);
     if (is_slurm) {
       const FrameFingerprint fingerprint(
