@@ -8,6 +8,7 @@
 #include <bit>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "core/overloaded.h"
 #include "render/gl/failures.h"
 #include "render/gl/shader_source.h"
 
@@ -251,49 +252,25 @@ int Program::location(const char* uniform) const {
   return glGetUniformLocation(object_.name(), uniform);
 }
 
-void Program::set(const char* uniform, int value) const {
-  glProgramUniform1i(object_.name(), location(uniform), value);
-}
-
-void Program::set(const char* uniform, unsigned value) const {
-  glProgramUniform1ui(object_.name(), location(uniform), value);
-}
-
-void Program::set(const char* uniform, float value) const {
-  glProgramUniform1f(object_.name(), location(uniform), value);
-}
-
-void Program::set(const char* uniform, const glm::vec2& value) const {
-  glProgramUniform2fv(object_.name(), location(uniform), 1, glm::value_ptr(value));
-}
-
-void Program::set(const char* uniform, const glm::vec3& value) const {
-  glProgramUniform3fv(object_.name(), location(uniform), 1, glm::value_ptr(value));
-}
-
-void Program::set(const char* uniform, const glm::dvec3& value) const {
-  glProgramUniform3dv(object_.name(), location(uniform), 1, glm::value_ptr(value));
-}
-
-void Program::set(const char* uniform, double value) const {
-  glProgramUniform1d(object_.name(), location(uniform), value);
-}
-
-void Program::set(const char* uniform, std::span<const float> values) const {
-  glProgramUniform1fv(object_.name(), location(uniform), static_cast<GLsizei>(values.size()),
-                      values.data());
-}
-
-void Program::set(const char* uniform, const glm::ivec2& value) const {
-  glProgramUniform2iv(object_.name(), location(uniform), 1, glm::value_ptr(value));
-}
-
-void Program::set(const char* uniform, const glm::vec4& value) const {
-  glProgramUniform4fv(object_.name(), location(uniform), 1, glm::value_ptr(value));
-}
-
-void Program::set(const char* uniform, const glm::ivec4& value) const {
-  glProgramUniform4iv(object_.name(), location(uniform), 1, glm::value_ptr(value));
+void Program::set(const char* uniform, const Uniform& value) const {
+  const GLuint program = object_.name();
+  const GLint place = location(uniform);
+  std::visit(
+      Overloaded{
+          [&](int x) { glProgramUniform1i(program, place, x); },
+          [&](unsigned x) { glProgramUniform1ui(program, place, x); },
+          [&](float x) { glProgramUniform1f(program, place, x); },
+          [&](double x) { glProgramUniform1d(program, place, x); },
+          [&](const glm::vec2& v) { glProgramUniform2fv(program, place, 1, glm::value_ptr(v)); },
+          [&](const glm::vec3& v) { glProgramUniform3fv(program, place, 1, glm::value_ptr(v)); },
+          [&](const glm::vec4& v) { glProgramUniform4fv(program, place, 1, glm::value_ptr(v)); },
+          [&](const glm::ivec2& v) { glProgramUniform2iv(program, place, 1, glm::value_ptr(v)); },
+          [&](const glm::ivec4& v) { glProgramUniform4iv(program, place, 1, glm::value_ptr(v)); },
+          [&](const glm::dvec3& v) { glProgramUniform3dv(program, place, 1, glm::value_ptr(v)); },
+          [&](std::span<const float> values) {
+            glProgramUniform1fv(program, place, static_cast<GLsizei>(values.size()), values.data());
+          }},
+      value);
 }
 
 void Program::bind(const char* block, Buffer& buffer) const {

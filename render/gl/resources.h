@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/ext/vector_int4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -8,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 
 namespace brume::gl {
 
@@ -135,6 +137,10 @@ class Texture {
   glm::ivec2 size_{0};
 };
 
+// The value of a uniform of a shader.
+using Uniform = std::variant<int, unsigned, float, double, glm::vec2, glm::vec3, glm::vec4,
+                             glm::ivec2, glm::ivec4, glm::dvec3, std::span<const float>>;
+
 // A compute program. Throws Error with the compiler's log.
 class Program {
  public:
@@ -144,17 +150,7 @@ class Program {
   // A complete shader, named in messages.
   Program(const std::string& name, const std::string& complete);
 
-  void set(const char* uniform, int value) const;
-  void set(const char* uniform, unsigned value) const;
-  void set(const char* uniform, float value) const;
-  void set(const char* uniform, double value) const;
-  void set(const char* uniform, std::span<const float> values) const;
-  void set(const char* uniform, const glm::ivec2& value) const;
-  void set(const char* uniform, const glm::vec2& value) const;
-  void set(const char* uniform, const glm::vec3& value) const;
-  void set(const char* uniform, const glm::dvec3& value) const;
-  void set(const char* uniform, const glm::vec4& value) const;
-  void set(const char* uniform, const glm::ivec4& value) const;
+  void set(const char* uniform, const Uniform& value) const;
   // Binds what a shader calls so: a storage block or an image. What the compiler has removed is
   // ignored, as uniforms are.
   void bind(const char* block, Buffer& buffer) const;

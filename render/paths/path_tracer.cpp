@@ -26,21 +26,11 @@ PointLightRay<double> relative_to(const PathLight& light, const glm::dvec3& poin
 
 PathTracer::Vertex PathTracer::Vertex::in_medium(const glm::dvec3& start, const glm::dvec3& w,
                                                  double t) {
-  Vertex vertex;
-  vertex.position = start + t * w;
-  vertex.w = w;
-  vertex.start = start;
-  vertex.t = t;
-  return vertex;
+  return {.position = start + t * w, .w = w, .start = start, .t = t};
 }
 
 PathTracer::Vertex PathTracer::Vertex::on_surface(const SurfacePoint& point) {
-  Vertex vertex;
-  vertex.position = point.shadow_origin;
-  vertex.w = -point.to_eye;
-  vertex.is_surface = true;
-  vertex.point = point;
-  return vertex;
+  return {.position = point.shadow_origin, .w = -point.to_eye, .is_surface = true, .point = point};
 }
 
 const MaterialSampler& PathTracer::material(const Vertex& vertex) const {
@@ -75,6 +65,19 @@ double PathTracer::direction_pdf(const Vertex& vertex, const glm::dvec3& l) cons
   const SurfacePoint& point = vertex.point;
   if (point.ggx) return GgxSampler(*point.ggx, point.normal, point.to_eye).pdf(l);
   return material(vertex).pdf(l, point.normal, point.to_eye);
+}
+
+PathTracer::Arrival PathTracer::arrival(const Vertex& vertex, const glm::dvec3& point) const {
+  const glm::dvec3 q = point - vertex.position;
+  const double r = glm::length(q);
+  if (!(r > 0.0)) return {};
+  return {q / r, r, scattering(vertex, q / r)};
+}
+
+double PathTracer::transmittance(const Segment& segment, double length) const {
+  const double depth = scene_.medium.depth(segment.origin, segment.w, length) +
+                       scene_.fog.density * segment.fog.before(length);
+  return std::exp(-depth);
 }
 
 RelativeOptics PathTracer::optics_at(const glm::dvec3& x) const {
@@ -122,10 +125,8 @@ glm::dvec3 PathTracer::light_at(const Vertex& vertex, Weight weight, PathRandom&
   const auto importance = [&](const PathLight& light) { return light.importance(vertex.position); };
   choose_lights(importance, random, [&](const PathLight& light, double probability) {
     const auto [point, intensity] = light.seen_from(vertex.position, random);
-    const glm::dvec3 q = point - vertex.position;
-    const double r = glm::length(q);
-    if (!(r > 0.0) || !(max_component(intensity) > 0.0)) return;
-    const glm::dvec3 value = scattering(vertex, q / r);
+    if (!(max_component(intensity) > 0.0)) return;
+    const auto [l, r, value] = arrival(vertex, point);
     if (!(max_component(value) > 0.0)) return;
     const double r2 = vertex.is_surface
                           ? std::max(r * r, light.h_min * light.h_min)
@@ -133,7 +134,7 @@ glm::dvec3 PathTracer::light_at(const Vertex& vertex, Weight weight, PathRandom&
     const double factor = weight(light, point) / (probability * r2);
     if (!(factor > 0.0)) return;
     sum += factor * visibility(vertex.position, light, point) * value * intensity *
-           shapes_pass(vertex, q / r, r);
+           shapes_pass(vertex, l, r);
   });
   return sum;
 }
@@ -157,23 +158,17 @@ glm::dvec3 PathTracer::emitters_at(const Vertex& vertex, PathRandom& random) con
   const glm::dvec3 none(0.0);
   if (scene_.emitters.empty()) return none;
   const EmitterSampler::Point drawn = scene_.emitters.sample(random);
-  const glm::dvec3 q = drawn.position - vertex.position;
-  const double r = glm::length(q);
-  if (!(r > 0.0)) return none;
-  const glm::dvec3 l = q / r;
-  const glm::dvec3 value = scattering(vertex, l);
+  const auto [l, r, value] = arrival(vertex, drawn.position);
   if (!(max_component(value) > 0.0)) return none;
-  const SurfaceHit hit = segment(vertex, l, random).hit;
+  const Segment way = segment(vertex, l, random);
+  const SurfaceHit& hit = way.hit;
   const double pdf = scene_.emitters.pdf(hit, l);
   if (!(pdf > 0.0) || hit.surface != static_cast<std::int32_t>(drawn.surface) ||
       hit.copy != drawn.copy || hit.triangle != drawn.triangle) {
     return none;
   }
-  const double fog = scene_.fog.interval(vertex.position, l).before(hit.distance);
-  const double depth =
-      scene_.medium.depth(vertex.position, l, hit.distance) + scene_.fog.density * fog;
   const SurfacePoint point = scene_.ray_caster.point(hit, vertex.position, l, scene_.surfaces);
-  return scene_.ray_caster.reflected_by_chance(hit) * std::exp(-depth) /
+  return scene_.ray_caster.reflected_by_chance(hit) * transmittance(way, hit.distance) /
          (pdf + direction_pdf(vertex, l)) * value * point.emitted *
          shapes_pass(vertex, l, hit.distance);
 }
@@ -183,14 +178,13 @@ glm::dvec3 PathTracer::emitters_around(const Vertex& vertex, PathRandom& random)
   if (scene_.emitters.empty()) return none;
   const Direction direction = sample_direction(vertex, random);
   if (!(direction.pdf > 0.0)) return none;
-  const auto& [origin, w, hit, fog] = segment(vertex, direction.w, random);
+  const Segment way = segment(vertex, direction.w, random);
+  const auto& [origin, w, hit, fog] = way;
   if (!hit) return none;
   const SurfacePoint point = scene_.ray_caster.point(hit, origin, w, scene_.surfaces);
   if (!(max_component(point.emitted) > 0.0)) return none;
-  const double depth =
-      scene_.medium.depth(origin, w, hit.distance) + scene_.fog.density * fog.before(hit.distance);
-  return scene_.ray_caster.reflected_by_chance(hit) * std::exp(-depth) / direction.pdf *
-         scattering(vertex, w) * emitted_by(hit, point, direction);
+  return scene_.ray_caster.reflected_by_chance(hit) * transmittance(way, hit.distance) /
+         direction.pdf * scattering(vertex, w) * emitted_by(hit, point, direction);
 }
 
 glm::dvec3 PathTracer::emitted_by(const SurfaceHit& hit, const SurfacePoint& point,
@@ -202,12 +196,7 @@ glm::dvec3 PathTracer::emitted_by(const SurfaceHit& hit, const SurfacePoint& poi
 glm::dvec3 PathTracer::emission_at(const Vertex& vertex, PathRandom& random) const {
   const glm::dvec3 none(0.0);
   if (scene_.emission.empty()) return none;
-  const glm::dvec3 y = scene_.emission.sample(random);
-  const glm::dvec3 q = y - vertex.position;
-  const double r = glm::length(q);
-  if (!(r > 0.0)) return none;
-  const glm::dvec3 l = q / r;
-  const glm::dvec3 value = scattering(vertex, l);
+  const auto [l, r, value] = arrival(vertex, scene_.emission.sample(random));
   if (!(max_component(value) > 0.0)) return none;
   const Emission emission = emission_of({vertex.position, l, r}, direction_pdf(vertex, l));
   if (!(emission.collision_pdf + emission.pdf > 0.0)) return none;
@@ -220,10 +209,9 @@ PathTracer::Emission PathTracer::emission_of(const RaySegment& way, double direc
   const glm::dvec3 y = way.origin + way.length * way.direction;
   const double density = scene_.medium.density(y);
   const glm::dvec3 emission = scene_.medium.index().optics_at(y, 0.0).emission;
-  const double fog = scene_.fog.interval(way.origin, way.direction).before(way.length);
-  const double depth =
-      scene_.medium.depth(way.origin, way.direction, way.length) + scene_.fog.density * fog;
-  const double arriving = density * std::exp(-depth) / (way.length * way.length);
+  const Segment segment{
+      way.origin, way.direction, {}, scene_.fog.interval(way.origin, way.direction)};
+  const double arriving = density * transmittance(segment, way.length) / (way.length * way.length);
   return {arriving * emission, direction_pdf * arriving, scene_.emission.pdf(density, emission)};
 }
 
@@ -260,8 +248,7 @@ glm::dvec3 PathTracer::lights_on_camera_ray(const CameraRay& ray, double opacity
     const double scattered = place.density * std::exp(-place.depth);
     if (!(scattered > 0.0)) return;
     const Vertex vertex = Vertex::in_medium(ray.eye(), ray.w(), t);
-    const glm::dvec3 q = point.position - vertex.position;
-    const double r = glm::length(q);
+    const auto [l, r, value] = arrival(vertex, point.position);
     const glm::dvec3 intensity = light.intensity_towards(point, vertex.position);
     if (!(r > 0.0) || !(max_component(intensity) > 0.0)) return;
     // The balance heuristic: divided by the sum of both densities.
@@ -269,8 +256,7 @@ glm::dvec3 PathTracer::lights_on_camera_ray(const CameraRay& ray, double opacity
     const double density = scattered / opacity + path.h / (angular.span * r2);
     const double factor =
         scattered * optics_at(vertex.position).albedo / (density * r2 * probability);
-    sum += factor * visibility(vertex.position, light, point.position) * scattering(vertex, q / r) *
-           intensity;
+    sum += factor * visibility(vertex.position, light, point.position) * value * intensity;
   });
   return sum;
 }
@@ -302,16 +288,14 @@ glm::dvec3 PathTracer::light_on_segment(const PathLight& light, const Segment& s
   const double density =
       scene_.medium.density(vertex.position) + (fog.contains(t) ? scene_.fog.density : 0.0);
   if (!(density > 0.0)) return none;
-  const glm::dvec3 q = light.position - vertex.position;
-  const double r = glm::length(q);
+  const auto [l, r, value] = arrival(vertex, light.position);
   if (!(r > 0.0)) return none;
-  const double depth = scene_.medium.depth(origin, w, t) + scene_.fog.density * fog.before(t);
-  const double scattered = density * optics_at(vertex.position).albedo * std::exp(-depth);
+  const double scattered = density * optics_at(vertex.position).albedo * transmittance(segment, t);
   const double factor =
       scattered * equi_angular_weight(light, r) * angular.span / (path.h * probability);
   if (!(factor > 0.0)) return none;
-  return factor * visibility(vertex.position, light, light.position) * scattering(vertex, q / r) *
-         light.intensity_along(-q / r);
+  return factor * visibility(vertex.position, light, light.position) * value *
+         light.intensity_along(-l);
 }
 
 PathTracer::AngularSampling::AngularSampling(const PathLight& light, const Vertex& vertex) {

@@ -69,7 +69,7 @@ class PathTracer {
     bool is_surface = false;
     bool is_view = false;    // reached by a view ray, mirrored perhaps: its highlight shows lights
     bool is_mirror = false;  // sends on what it mirrors, without the lights of its highlight
-    SurfacePoint point;      // of a surface
+    SurfacePoint point{};    // of a surface
 
     static Vertex in_medium(const glm::dvec3& start, const glm::dvec3& w, double t);
     static Vertex on_surface(const SurfacePoint& point);
@@ -89,6 +89,14 @@ class PathTracer {
     double density;  // of finding it [1/u]
   };
 
+  // Where a walk goes from a vertex, up to a surface or endlessly, and where it is in fog.
+  struct Segment {
+    glm::dvec3 origin{0.0};
+    glm::dvec3 w{0.0};
+    SurfaceHit hit;
+    FogInterval fog;
+  };
+
   [[nodiscard]] const MaterialSampler& material(const Vertex& vertex) const;
   // Phase function, or BRDF and cosine, for light from the unit direction l [1/sr].
   [[nodiscard]] glm::dvec3 scattering(const Vertex& vertex, const glm::dvec3& l) const;
@@ -99,6 +107,15 @@ class PathTracer {
   };
   [[nodiscard]] Direction sample_direction(const Vertex& vertex, PathRandom& random) const;
   [[nodiscard]] double direction_pdf(const Vertex& vertex, const glm::dvec3& l) const;
+
+  // Light that arrives at a vertex from a point, and what of it is scattered there: 0 where none
+  // is.
+  struct Arrival {
+    glm::dvec3 l{0.0};  // unit, to the point
+    double r = 0.0;     // its distance
+    glm::dvec3 value{0.0};
+  };
+  [[nodiscard]] Arrival arrival(const Vertex& vertex, const glm::dvec3& point) const;
 
   // The optics of the matter that light collides with at a point of the medium.
   [[nodiscard]] RelativeOptics optics_at(const glm::dvec3& x) const;
@@ -158,16 +175,11 @@ class PathTracer {
   }
   [[nodiscard]] glm::dvec3 lights_on_camera_ray(const CameraRay& ray, double opacity, double u,
                                                 PathRandom& random) const;
-  // Where a walk goes from a vertex, up to a surface or endlessly, and where it is in fog.
-  struct Segment {
-    glm::dvec3 origin{0.0};
-    glm::dvec3 w{0.0};
-    SurfaceHit hit;
-    FogInterval fog;
-  };
-  // It passes panes by chance.
+  // A segment passes panes by chance.
   [[nodiscard]] Segment segment(const Vertex& vertex, const glm::dvec3& w,
                                 PathRandom& random) const;
+  // What the medium lets through along so much of a segment.
+  [[nodiscard]] double transmittance(const Segment& segment, double length) const;
   // Ends the segment at a light that is seen, by chance: mirrored light does not pass it, other
   // light does. The factor of the throughput.
   [[nodiscard]] glm::dvec3 end_at_light(const Vertex& vertex, Segment& segment,

@@ -143,10 +143,7 @@ SourceFunction::Multiple FrameStages::multiple_scattering(FrameContext& work, St
       &work.rays};
   for (PointSource& source : work.sources()) {
     const OpticalDepthTable* const table =
-        work.plan.runs(Stage::light_table)
-            ? &prepared_.optical_depth_table(source.position, work.settings.optical_depth_table,
-                                             work.frame.statistics.light_pairs)
-            : nullptr;
+        work.plan.runs(Stage::light_table) ? &table_of(work, source.position) : nullptr;
     multiple.lights.push_back({std::move(source), table});
   }
   if (work.plan.runs(Stage::light_table)) clock.finish(Stage::light_table);
@@ -294,6 +291,11 @@ PaperLights FrameStages::paper_lights(FrameContext& work, StageClock& clock) {
   return paper;
 }
 
+const OpticalDepthTable& FrameStages::table_of(FrameContext& work, const glm::dvec3& light) {
+  return prepared_.optical_depth_table(light, work.settings.optical_depth_table,
+                                       work.frame.statistics.light_pairs);
+}
+
 std::vector<SlicedLight> FrameStages::lights_of(const FrameContext& work) {
   std::vector<SlicedLight> lights;
   for (PointSource& source : work.sources()) {
@@ -316,8 +318,7 @@ std::vector<SlicedLight> FrameStages::sliced_lights(FrameContext& work, StageClo
   std::vector<DirectionMap> maps(lights.size());
   if (work.plan.runs(Stage::light_table)) {
     for (std::size_t l = 0; l < lights.size(); ++l) {
-      lights[l].table = &prepared_.optical_depth_table(
-          lights[l].position, work.settings.optical_depth_table, work.frame.statistics.light_pairs);
+      lights[l].table = &table_of(work, lights[l].position);
       maps[l] = lights[l].table->map();
     }
     clock.finish(Stage::light_table);
@@ -388,9 +389,7 @@ SurfaceLighting FrameStages::tabled_lighting(FrameContext& work) {
   SurfaceLighting lighting = surface_lighting(work);
   if (work.plan.surface_depths == RenderPlan::SurfaceDepths::tables) {
     for (SurfaceLight& light : lighting.lights) {
-      light.table =
-          &prepared_.optical_depth_table(light.source.position, work.settings.optical_depth_table,
-                                         work.frame.statistics.light_pairs);
+      light.table = &table_of(work, light.source.position);
     }
   }
   return lighting;

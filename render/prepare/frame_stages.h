@@ -198,17 +198,18 @@ class FrameStages {
   static bool make_transfers(FrameContext& work);
   [[nodiscard]] bool has_surfaces() const { return !prepared_.ray_caster().empty(); }
   void meet_lights(FrameContext& work);
+  // The table towards a light; its pairs are added to the frame's statistics.
+  const OpticalDepthTable& table_of(FrameContext& work, const glm::dvec3& light);
   SurfaceLighting tabled_lighting(FrameContext& work);
   [[nodiscard]] LitSpace lit_space(const FrameContext& work) const;
   [[nodiscard]] IncidentOptics incident_optics(const FrameContext& work) const;
   SourceFunction::Multiple multiple_scattering(FrameContext& work, StageClock& clock);
+  void set_hit(std::size_t pixel, const SurfaceHit& hit);
 
   PreparedScene prepared_;
   PreparedShading shading_;
   SharedHighlights highlights_, highlights_behind_;
   EmissionLights emission_lights_;
-  void set_hit(std::size_t pixel, const SurfaceHit& hit);
-
   SourceFunction source_;
   SurfaceLighting lighting_;  // of the frame
   // Members to reuse their memory.

@@ -23,47 +23,20 @@ HWY_INLINE V set(float x) {
   return hn::Set(D(), x);
 }
 
-// Position of a direction in a table over a map: the lower of the four cells to interpolate, and
-// the fractions.
-struct MapPosition {
-  hn::Vec<hn::RebindToSigned<D>> cell;  // row by row, border included
-  V fx, fy;
+// A place between four cells of a table.
+struct Bilinear {
+  hn::Vec<hn::RebindToSigned<D>> cell;  // the first of them
+  V fx, fy;                             // from 0 to 1 among them
 
-  // The position of q from a point whose components in a perspective map are `origin`; `distance`:
-  // from the light.
-  HWY_INLINE MapPosition(const DirectionMap& map, const Vector& q, const glm::vec3& origin,
-                         V distance) {
+  // Between cells of a row, and from row to row.
+  HWY_INLINE Bilinear(V x, V y, int stride) {
     const D d;
     const hn::RebindToSigned<D> di;
-    V u;
-    V v;
-    if (map.octahedral) {
-      const V2<V> position = octahedral_position(q);
-      u = position.x;
-      v = position.y;
-    } else {
-      const auto along = [&](const glm::vec3& axis, float start) HWY_ATTR {
-        return dot(q, Vector{set(axis.x), set(axis.y), set(axis.z)}) + start;
-      };
-      // Behind the light there is nothing of interest; clamped to the map's border texel.
-      const V depth = max(along(map.axis, origin.z), DirectionMap::min_cosine * distance);
-      const V inverse = 1.0 / max(depth, tiny);
-      u = mul_add(along(map.right, origin.x) * inverse, map.scale.x, map.offset.x);
-      v = mul_add(along(map.up, origin.y) * inverse, map.scale.y, map.offset.y);
-    }
-    // In cells, counted from the middle of the border cell.
-    const auto in_cells = [&](V along, int count) HWY_ATTR {
-      const auto cells = static_cast<float>(count);
-      const V x = mul_add(along, 0.5f * cells, 0.5f * cells + 0.5f);
-      return clamp(x, 0.0f, cells + DirectionMap::border_share);
-    };
-    const V x = in_cells(u, map.columns);
-    const V y = in_cells(v, map.rows);
     const auto xi = hn::ConvertTo(di, x);
     const auto yi = hn::ConvertTo(di, y);
     fx = x - hn::ConvertTo(d, xi);
     fy = y - hn::ConvertTo(d, yi);
-    cell = yi * map.stride() + xi;
+    cell = yi * stride + xi;
   }
 
   // The mix of value(cell offset) over the four cells.
@@ -74,12 +47,38 @@ struct MapPosition {
   }
 };
 
+// The place of q in a table over a map, border included, from a point whose components in a
+// perspective map are `origin`; `distance`: from the light.
+HWY_INLINE Bilinear MapPosition(const DirectionMap& map, const Vector& q, const glm::vec3& origin,
+                                V distance) {
+  V2<V> position;
+  if (map.octahedral) {
+    position = octahedral_position(q);
+  } else {
+    const auto along = [&](const glm::vec3& axis, float start) HWY_ATTR {
+      return dot(q, Vector{set(axis.x), set(axis.y), set(axis.z)}) + start;
+    };
+    // Behind the light there is nothing of interest; clamped to the map's border texel.
+    const V depth = max(along(map.axis, origin.z), DirectionMap::min_cosine * distance);
+    const V inverse = 1.0 / max(depth, tiny);
+    position = {mul_add(along(map.right, origin.x) * inverse, map.scale.x, map.offset.x),
+                mul_add(along(map.up, origin.y) * inverse, map.scale.y, map.offset.y)};
+  }
+  // In cells, counted from the middle of the border cell.
+  const auto in_cells = [&](V along, int count) HWY_ATTR {
+    const auto cells = static_cast<float>(count);
+    const V x = mul_add(along, 0.5f * cells, 0.5f * cells + 0.5f);
+    return clamp(x, 0.0f, cells + DirectionMap::border_share);
+  };
+  return {in_cells(position.x, map.columns), in_cells(position.y, map.rows), map.stride()};
+}
+
 // The depth of a table at q from `origin`, see MapPosition.
 HWY_INLINE V Lookup(const OpticalDepthTable::View& table, const Vector& q, const glm::vec3& origin,
                     V distance) {
   const D d;
   const hn::RebindToSigned<D> di;
-  const MapPosition position(table.map, q, origin, distance);
+  const Bilinear position = MapPosition(table.map, q, origin, distance);
   const V beyond = max(distance - table.first_radius, 0.0f);
   V r = beyond * table.radii_per_unit;
   if (table.curvature > 0.0f) r /= mul_add(table.curvature, beyond, 1.0f);
@@ -112,7 +111,7 @@ void LookupDepths(const OpticalDepthTable::View& table, const PathBatch& paths, 
 }
 
 // The share of light that panes let through, bilinear as below.
-HWY_INLINE V Passing(const ShadowMap& shadows, const MapPosition& position, V near) {
+HWY_INLINE V Passing(const ShadowMap& shadows, const Bilinear& position, V near) {
   const D d;
   V share = set(1.0f);
   for (const ShadowMap::PaneLayer& layer : shadows.panes()) {
@@ -130,7 +129,7 @@ HWY_INLINE V Lit(const SliceLight& light, const Vector& q, V distance) {
   const D d;
   const ShadowMap& shadows = *light.shadows;
   const DirectionMap& map = shadows.map();
-  const MapPosition position(map, q, light.in_shadows, distance);
+  const Bilinear position = MapPosition(map, q, light.in_shadows, distance);
   const V depth =
       map.octahedral
           ? distance
@@ -206,7 +205,6 @@ HWY_INLINE V TruncatedPhase(const SliceScattering& scattering, V cosine) {
 // The value of a LobeBroadening's table, bilinear.
 HWY_INLINE V LobeLoss(const float* table, V cosine, V depth) {
   const D d;
-  const hn::RebindToSigned<D> di;
   constexpr auto angles = static_cast<float>(LobeBroadening::angles);
   constexpr auto depths = static_cast<float>(LobeBroadening::depths);
   const V half_sine_2 = neg_mul_add(0.5f, cosine, 0.5f);
@@ -214,19 +212,10 @@ HWY_INLINE V LobeLoss(const float* table, V cosine, V depth) {
   const V share = depth / (depth + LobeBroadening::depth_scale);
   const V x = min(angle, angles - table_end);
   const V y = min(share * depths, depths - table_end);
-  const auto xi = hn::ConvertTo(di, x);
-  const auto yi = hn::ConvertTo(di, y);
-  const V fx = x - hn::ConvertTo(d, xi);
-  const V fy = y - hn::ConvertTo(d, yi);
-  const auto first = xi * LobeBroadening::depths + yi;
-  const auto at_angle = [&](int offset) HWY_ATTR {
-    const auto index = first + offset;
-    const V low = hn::GatherIndex(d, table, index);
-    const V high = hn::GatherIndex(d, table, index + 1);
-    return mul_add(fy, high - low, low);
-  };
-  const V narrow = at_angle(0);
-  return mul_add(fx, at_angle(LobeBroadening::depths) - narrow, narrow);
+  const Bilinear place(y, x, LobeBroadening::depths);
+  return place.Mix(LobeBroadening::depths, [&](int offset) HWY_ATTR {
+    return hn::GatherIndex(d, table, place.cell + offset);
+  });
 }
 
 template <class Rays>
