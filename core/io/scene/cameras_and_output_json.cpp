@@ -21,19 +21,15 @@ NamedCamera read_camera(JsonContext& context, JsonObject& object,
   camera.name = object.name(std::move(default_name));
   read_fields(object, camera.camera);
   if (const auto refused = refusal(camera.camera)) object.fail(refused->member, refused->message);
-  unknown_keys.add(camera.id, "keys",
-                   read_keys_member(context, object, unknown_keys, [&](auto&& visit) {
-                     visit_keyed(camera.camera, camera.keys, visit);
-                   }));
-  unknown_keys.add(camera.id, "", object.unknown_keys());
+  read_rest(context, object, camera.id, unknown_keys,
+            [&](auto&& visit) { visit_keyed(camera.camera, camera.keys, visit); });
   return camera;
 }
 
 void add_values(Json& object, const NamedCamera& camera, const UnknownKeys& unknown_keys) {
   write_fields(object, camera.camera, camera.keys);
-  add_keys(object, unknown_keys, unknown_keys.of(camera.id, "keys"),
+  add_rest(object, camera.id, unknown_keys,
            [&](auto&& visit) { visit_keyed(camera.camera, camera.keys, visit); });
-  add_unknown_keys(object, unknown_keys.of(camera.id, ""));
 }
 
 }  // namespace

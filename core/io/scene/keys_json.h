@@ -45,4 +45,21 @@ void add_keys(Json& object, const UnknownKeys& unknown_keys, const std::string& 
   if (!all.empty()) object["keys"] = std::move(all);
 }
 
+// Reads the keyframes of an object with an id, and keeps the unknown keys of both; `part`: the path
+// within that object of one that has no id.
+void read_rest(JsonContext& context, JsonObject& object, ObjectId& id, UnknownKeys& unknown_keys,
+               auto&& visit_all, const std::string& part = "") {
+  unknown_keys.add(id, part.empty() ? "keys" : part + ".keys",
+                   read_keys_member(context, object, unknown_keys, visit_all));
+  unknown_keys.add(id, part, object.unknown_keys());
+}
+
+// Adds them.
+void add_rest(Json& object, ObjectId id, const UnknownKeys& unknown_keys, auto&& visit_all,
+              const std::string& part = "") {
+  add_keys(object, unknown_keys, unknown_keys.of(id, part.empty() ? "keys" : part + ".keys"),
+           visit_all);
+  add_unknown_keys(object, unknown_keys.of(id, part));
+}
+
 }  // namespace brume

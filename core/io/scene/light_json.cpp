@@ -57,11 +57,9 @@ Light read_light(JsonContext& context, JsonObject& object, SceneReferences& refe
   read_light_texture(context, object, references, budget, unknown_keys, light);
   read_fields(object, light);
   light.name = object.name("");
-  unknown_keys.add(light.id, "keys",
-                   read_keys_member(context, object, unknown_keys,
-                                    [&](auto&& visit) { visit_keyed(light, visit); }));
+  read_rest(context, object, light.id, unknown_keys,
+            [&](auto&& visit) { visit_keyed(light, visit); });
   if (const auto refused = refusal(light)) object.fail(refused->member, refused->message);
-  unknown_keys.add(light.id, "", object.unknown_keys());
   return light;
 }
 

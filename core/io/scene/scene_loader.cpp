@@ -82,6 +82,10 @@ class SceneLoader {
     return read_keys_member(context_, owner, unknown_keys_, visit_all);
   }
 
+  void load_rest(JsonObject& object, ObjectId& id, auto&& visit_all, const char* part = "") {
+    read_rest(context_, object, id, unknown_keys_, visit_all, part);
+  }
+
   void load_film(JsonObject& object) {
     Film& film = scene_.film;
     film.width = static_cast<int>(object.integer("width", 1, limits::film_side, film.width));
@@ -158,9 +162,7 @@ class SceneLoader {
 
   void load_group(JsonObject& object) {
     Group group = read_group(object, scene_.groups);
-    unknown_keys_.add(group.object_id, "keys",
-                      load_keys(object, [&](auto&& visit) { visit_keyed(group, visit); }));
-    unknown_keys_.add(group.object_id, "", object.unknown_keys());
+    load_rest(object, group.object_id, [&](auto&& visit) { visit_keyed(group, visit); });
     scene_.groups.push_back(std::move(group));
   }
 
@@ -252,9 +254,7 @@ class SceneLoader {
     if (object.find("emission_at_death") == nullptr) {
       emitter.emission_at_death = emitter.optics.emission;
     }
-    unknown_keys_.add(emitter.id, "keys",
-                      load_keys(object, [&](auto&& visit) { visit_keyed(emitter, visit); }));
-    unknown_keys_.add(emitter.id, "", object.unknown_keys());
+    load_rest(object, emitter.id, [&](auto&& visit) { visit_keyed(emitter, visit); });
     budget_.reserve_gaussians(object.path(), max_particles(emitter));
     scene_.emitters.push_back(emitter);
   }
@@ -291,9 +291,8 @@ class SceneLoader {
       object.fail("sun", "found true beside " + std::to_string(limits::lights) +
                              " lights; allowed: one light less, or false");
     }
-    unknown_keys_.add(environment, "sky.keys",
-                      load_keys(object, [&](auto&& visit) { visit_keyed(sky, visit); }));
-    unknown_keys_.add(environment, "sky", object.unknown_keys());
+    load_rest(
+        object, environment, [&](auto&& visit) { visit_keyed(sky, visit); }, "sky");
     return sky;
   }
 
@@ -309,9 +308,7 @@ class SceneLoader {
       environment.map = references_.radiance_map(context_, file, environment.file);
       budget_.reserve(file, *environment.map);
     }
-    unknown_keys_.add(environment.id, "keys",
-                      load_keys(object, [&](auto&& visit) { visit_keyed(environment, visit); }));
-    unknown_keys_.add(environment.id, "", object.unknown_keys());
+    load_rest(object, environment.id, [&](auto&& visit) { visit_keyed(environment, visit); });
     scene_.environment = std::move(environment);
   }
 

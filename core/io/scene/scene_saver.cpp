@@ -74,9 +74,7 @@ Json emitter_to_json(const Emitter& emitter, const UnknownKeys& unknown_keys) {
     entry["emission_at_death"] = to_json(emitter.emission_at_death);
   }
   add_name(entry, emitter.name);
-  add_keys(entry, unknown_keys, unknown_keys.of(emitter.id, "keys"),
-           [&emitter](auto&& visit) { visit_keyed(emitter, visit); });
-  add_unknown_keys(entry, unknown_keys.of(emitter.id, ""));
+  add_rest(entry, emitter.id, unknown_keys, [&](auto&& visit) { visit_keyed(emitter, visit); });
   return entry;
 }
 
@@ -91,9 +89,8 @@ Json medium_to_json(const SceneDocument& document, const fs::path& directory) {
   object["density"] = medium.homogeneous_density();
   for (const Group& group : scene.groups) {
     Json entry = group_to_json(group, scene.groups);
-    add_keys(entry, unknown_keys, unknown_keys.of(group.object_id, "keys"),
-             [&group](auto&& visit) { visit_keyed(group, visit); });
-    add_unknown_keys(entry, unknown_keys.of(group.object_id, ""));
+    add_rest(entry, group.object_id, unknown_keys,
+             [&](auto&& visit) { visit_keyed(group, visit); });
     object["groups"].push_back(std::move(entry));
   }
   for (const PaintedSpline& spline : scene.splines) {
@@ -196,18 +193,16 @@ Json surface_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
   }
   if (surface.copies) object["copies"] = copies_to_json(surface, unknown_keys, directory);
   write_fields(object, surface, NoKeys());
-  add_keys(object, unknown_keys, unknown_keys.of(surface.id, "keys"),
-           [&surface](auto&& visit) { visit_keyed_surface(surface, visit); });
-  add_unknown_keys(object, unknown_keys.of(surface.id, ""));
+  add_rest(object, surface.id, unknown_keys,
+           [&](auto&& visit) { visit_keyed_surface(surface, visit); });
   return object;
 }
 
 Json sky_to_json(const Sky& sky, ObjectId environment, const UnknownKeys& unknown_keys) {
   Json object = Json::object();
   write_fields(object, sky, sky.keys);
-  add_keys(object, unknown_keys, unknown_keys.of(environment, "sky.keys"),
-           [&sky](auto&& visit) { visit_keyed(sky, visit); });
-  add_unknown_keys(object, unknown_keys.of(environment, "sky"));
+  add_rest(
+      object, environment, unknown_keys, [&](auto&& visit) { visit_keyed(sky, visit); }, "sky");
   return object;
 }
 
@@ -234,9 +229,7 @@ Json scene_to_json(const SceneDocument& document, const fs::path& directory) {
       add_unknown_keys(entry["texture"], unknown_keys.of(light.id, "texture"));
     }
     add_name(entry, light.name);
-    add_keys(entry, unknown_keys, unknown_keys.of(light.id, "keys"),
-             [&light](auto&& visit) { visit_keyed(light, visit); });
-    add_unknown_keys(entry, unknown_keys.of(light.id, ""));
+    add_rest(entry, light.id, unknown_keys, [&](auto&& visit) { visit_keyed(light, visit); });
     lights.push_back(std::move(entry));
   }
   if (const auto& environment = scene.environment) {
@@ -247,9 +240,8 @@ Json scene_to_json(const SceneDocument& document, const fs::path& directory) {
       entry["file"] = SceneReferences::text_for(environment->file, directory);
     }
     write_fields(entry, *environment, environment->keys);
-    add_keys(entry, unknown_keys, unknown_keys.of(environment->id, "keys"),
+    add_rest(entry, environment->id, unknown_keys,
              [&](auto&& visit) { visit_keyed(*environment, visit); });
-    add_unknown_keys(entry, unknown_keys.of(environment->id, ""));
   }
   Json& surfaces = root["surfaces"] = Json::array();
   for (const Surface& surface : scene.surfaces) {

@@ -37,10 +37,8 @@ Surface SurfaceReader::read(JsonObject& object) {
       object.choice("transfer", scene_names::transfers, std::size_t{0}));
   if (auto copies = object.find_object("copies")) read_copies(*copies, surface);
   read_fields(object, surface);
-  unknown_keys_.add(surface.id, "keys",
-                    read_keys_member(context_, object, unknown_keys_,
-                                     [&](auto&& visit) { visit_keyed_surface(surface, visit); }));
-  unknown_keys_.add(surface.id, "", object.unknown_keys());
+  read_rest(context_, object, surface.id, unknown_keys_,
+            [&](auto&& visit) { visit_keyed_surface(surface, visit); });
   return surface;
 }
 
