@@ -6,10 +6,12 @@
 
 namespace brume {
 
-// Whether a text has a part; what failed says both.
-inline testing::AssertionResult contains(const std::string& text, const std::string& part) {
-  const bool is_there = text.find(part) != std::string::npos;
-  return testing::AssertionResult(is_there) << '"' << part << "\", in: " << text;
+// Whether a text has all parts; what failed says the first that it lacks, or the last that it has.
+template <class... Parts>
+testing::AssertionResult contains(const std::string& text, const Parts&... parts) {
+  std::string told;
+  const bool are_there = ((told = parts, text.find(told) != std::string::npos) && ...);
+  return testing::AssertionResult(are_there) << '"' << told << "\", in: " << text;
 }
 
 }  // namespace brume

@@ -278,9 +278,9 @@ TEST(GaussianFit, EllipsoidsHalveTheErrorOfSmoke) {
 TEST(GaussianFit, SimulatedSmokeWithinItsBounds) {
   const DensityGrid first = read_volume(volumes / "smoke_0025.vdb", "density");
   const DensityGrid second = read_volume(volumes / "smoke_0026.vdb", "density");
-  const Fit fit = *fit_gaussians(first, {200, 0.0});
+  const Fit fit = *fit_gaussians(first, {150, 0.0});
   const Refit next = *refit_gaussians(second, fit.gaussians);
-  ASSERT_EQ(next.fit.gaussians.size(), 200u);
+  ASSERT_EQ(next.fit.gaussians.size(), 150u);
   for (const auto& [grid, of] : {std::pair(&first, &fit), std::pair(&second, &next.fit)}) {
     EXPECT_LT(of->density_error, 0.2);
     EXPECT_LT(depth_error(*grid, of->gaussians), 0.06);
@@ -291,14 +291,14 @@ TEST(GaussianFit, SimulatedSmokeWithinItsBounds) {
   // Gaussians that were not relocated have stayed where they were: no flicker.
   std::size_t renewed = 0;
   std::size_t strayed = 0;
-  for (std::size_t i = 0; i < 200; ++i) {
+  for (std::size_t i = 0; i < 150; ++i) {
     renewed += next.renewed[i] ? 1 : 0;
     const Gaussian& a = fit.gaussians[i];
     const Gaussian& b = next.fit.gaussians[i];
     strayed += !next.renewed[i] && glm::length(a.center - b.center) > 2.0 * a.radius ? 1 : 0;
   }
-  EXPECT_LT(renewed, 40u);
-  EXPECT_LT(strayed, 10u);
+  EXPECT_LT(renewed, 30u);
+  EXPECT_LT(strayed, 8u);
 }
 
 // Turning about the z axis while moving along it.

@@ -46,13 +46,9 @@ TEST(CopiesFile, SaysWhereAndWhatIsWrong) {
   const auto refusal = [&](const std::string& text, std::size_t max_count = 10) {
     return error_of([&] { read_copies(folder.write("a.csv", text), max_count); });
   };
-  const auto contains = [](const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-  };
   EXPECT_TRUE(contains(refusal("x,y\n1,2\n"), "there is no column z"));
   EXPECT_TRUE(contains(refusal("x,y,z,qw\n1,2,3,1\n"), "there is no column qx"));
-  EXPECT_TRUE(contains(refusal(heading + "1,2,3,0,0,0,0,1\n"), "line 2"));
-  EXPECT_TRUE(contains(refusal(heading + "1,2,3,0,0,0,0,1\n"), "length 0"));
+  EXPECT_TRUE(contains(refusal(heading + "1,2,3,0,0,0,0,1\n"), "line 2", "length 0"));
   EXPECT_TRUE(contains(refusal(heading + "1,2,3,1,0,0,0,0\n"), "scale"));
   EXPECT_TRUE(contains(refusal(heading + "1,nan,3,1,0,0,0,1\n"), "line 2, y"));
   EXPECT_TRUE(contains(refusal(heading + "1,2,3,1,0,0\n"), "is missing"));

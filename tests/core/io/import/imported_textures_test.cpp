@@ -58,8 +58,7 @@ class ImportedTextures : public FolderTest {
 
   void expect_warning(const std::string& part, const std::string& other = "") {
     ASSERT_EQ(warnings_.size(), 1u);
-    EXPECT_TRUE(contains(warnings_[0], part));
-    EXPECT_TRUE(contains(warnings_[0], other));
+    EXPECT_TRUE(contains(warnings_[0], part, other));
   }
 
   std::vector<std::string> warnings_;

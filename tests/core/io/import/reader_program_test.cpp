@@ -46,16 +46,26 @@ Ns 126
 Ke 1 2 3
 )";
 
-using ReaderProgram = FolderTest;
+class ReaderProgram : public FolderTest {
+ protected:
+  std::shared_ptr<const ImportedScene> read_scene(const char* name, const std::string& content) {
+    return read_scene(folder_.write(name, content));
+  }
+  std::shared_ptr<const ImportedScene> read_scene(const std::filesystem::path& file) {
+    warnings_.clear();
+    return read_imported_scene(file, warnings_);
+  }
+
+  std::vector<std::string> warnings_;  // of the last one
+};
 
 TEST_F(ReaderProgram, ReadsObjWithItsMaterials) {
   const auto file = folder_.write("scene.obj", two_squares);
   folder_.write("my.mtl", two_materials);
   const std::vector<std::uint8_t> pixels(12, 255);
   folder_.write("paint.png", encode_png(2, 2, pixels));
-  std::vector<std::string> warnings;
-  const auto scene = read_imported_scene(file, warnings);
-  EXPECT_TRUE(warnings.empty()) << warnings.front();
+  const auto scene = read_scene(file);
+  EXPECT_TRUE(warnings_.empty());
   ASSERT_EQ(scene->parts.size(), 2u);
   EXPECT_EQ(scene->nodes[scene->parts[0].node].name, "left");
   const MeshArrays mesh = to_arrays(*scene->parts[0].mesh);
@@ -125,8 +135,7 @@ Connections:  {
 	C: "OO",3,2
 }
 )");
-    std::vector<std::string> warnings;
-    return read_imported_scene(file, warnings)->parts.at(0).material.metallic_roughness;
+    return read_scene(file)->parts.at(0).material.metallic_roughness;
   };
   const auto number = [](const std::string& name, const char* value) {
     return "P: \"3dsMax|main|" + name + "\", \"Float\", \"\", \"A\"," + value + "\n";
@@ -144,17 +153,15 @@ Connections:  {
 TEST_F(ReaderProgram, MissingTexturesAreAWarning) {
   const auto file = folder_.write("scene.obj", two_squares);
   folder_.write("my.mtl", two_materials);
-  std::vector<std::string> warnings;
-  const auto scene = read_imported_scene(file, warnings);
-  expect_only(warnings, "paint.png is missing");
+  const auto scene = read_scene(file);
+  expect_only(warnings_, "paint.png is missing");
   EXPECT_EQ(scene->parts[0].material.metallic_roughness.base_color_texture.content, nullptr);
 }
 
 TEST_F(ReaderProgram, CoversConcavePolygons) {
   const std::string points = "v 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 0 0\n";
-  std::vector<std::string> warnings;
   for (const char* face : {"f 1 2 3 4 5 6\n", "f 6 5 4 3 2 1\n", "f 4 5 6 1 2 3\nl 1 2\n"}) {
-    const auto scene = read_imported_scene(folder_.write("l.obj", points + face), warnings);
+    const auto scene = read_scene("l.obj", points + face);
     const MeshArrays mesh = to_arrays(*scene->parts.at(0).mesh);
     double area = 0.0;
     for (const glm::uvec3& t : mesh.triangles) {
@@ -165,10 +172,8 @@ TEST_F(ReaderProgram, CoversConcavePolygons) {
 }
 
 TEST_F(ReaderProgram, ReadsLinesThatGoOn) {
-  std::vector<std::string> warnings;
-  const auto scene = read_imported_scene(
-      folder_.write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 \\\n1 0\nv 0 1 0\nf 1 2 \\\r\n3 4\n"),
-      warnings);
+  const auto scene =
+      read_scene("a.obj", "v 0 0 0\nv 1 0 0\nv 1 \\\n1 0\nv 0 1 0\nf 1 2 \\\r\n3 4\n");
   EXPECT_EQ(to_arrays(*scene->parts.at(0).mesh).triangles.size(), 2u);
 }
 
@@ -177,38 +182,32 @@ TEST_F(ReaderProgram, LeavesOutBadFacesOfObj) {
   for (const char* bad : {"f 1 2 4", "f 0 1 2", "f -1 -2 -4", "f 1/1 2/1 \\\n9/1",
                           "f 9 8 7 # l 1 99\nl 1 99\np 99"}) {
     SCOPED_TRACE(bad);
-    std::vector<std::string> warnings;
     const auto file = folder_.write("a.obj", good + bad + "\nf 3/1/1 2/1/1 1/1/1\n");
-    const auto scene = read_imported_scene(file, warnings);
+    const auto scene = read_scene(file);
     EXPECT_EQ(to_arrays(*scene->parts.at(0).mesh).triangles.size(), 2u);
-    ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_TRUE(warnings[0].starts_with(file.string() + ": line 7: found a face")) << warnings[0];
+    expect_only(warnings_, file.string() + ": line 7: found a face");
   }
-  std::vector<std::string> warnings;
-  const auto scene =
-      read_imported_scene(folder_.write("a.obj", good + "f 3/7/1 2/1/9 1/1/1\n"), warnings);
+  const auto scene = read_scene("a.obj", good + "f 3/7/1 2/1/9 1/1/1\n");
   EXPECT_EQ(to_arrays(*scene->parts.at(0).mesh).triangles.size(), 2u)
       << "without texture coordinates";
-  EXPECT_TRUE(warnings.empty()) << warnings[0];
+  EXPECT_TRUE(warnings_.empty());
 }
 
 TEST_F(ReaderProgram, DamagedFilesAreAnError) {
-  std::vector<std::string> warnings;
   for (const auto& [name, content] :
        {std::pair("a.obj", "f 1 2 3\n"), std::pair("a.fbx", "f 1 2 3\n"),
         std::pair("a.fbx", "Kaydara FBX Binary  \x00\x1a\x00garbage")}) {
     const auto file = folder_.write(name, content);
-    const std::string error = error_of([&] { read_imported_scene(file, warnings); });
+    const std::string error = error_of([&] { read_scene(file); });
     EXPECT_TRUE(error.starts_with(file.string() + ": cannot be read")) << error;
   }
-  expect_error([&] { read_imported_scene(folder_ / "b.fbx", warnings); }, "no such file");
+  expect_error([&] { read_scene(folder_ / "b.fbx"); }, "no such file");
 }
 
 TEST_F(ReaderProgram, SaysWhatAnObjWithoutFacesHas) {
   const auto error = [&](const char* name, const char* content) {
     const auto file = folder_.write(name, content);
-    std::vector<std::string> warnings;
-    return error_of([&] { read_imported_scene(file, warnings); }).substr(file.string().size());
+    return error_of([&] { read_scene(file); }).substr(file.string().size());
   };
   EXPECT_EQ(error("a.obj", ""), ": is empty");
   EXPECT_EQ(error("a.fbx", ""), ": is empty");
@@ -231,8 +230,7 @@ TEST_F(ReaderProgram, ReadsObjInUtf16) {
   for (const bool is_big_endian : {false, true}) {
     const auto file = folder_.write("scene.obj", utf16(two_squares, is_big_endian));
     folder_.write("my.mtl", utf16("newmtl shiny\nKd 0.5 0.25 1\nnewmtl painted\n", is_big_endian));
-    std::vector<std::string> warnings;
-    const auto scene = read_imported_scene(file, warnings);
+    const auto scene = read_scene(file);
     ASSERT_EQ(scene->parts.size(), 2u);
     EXPECT_EQ(scene->parts[1].material.metallic_roughness.base_color, glm::dvec3(0.5, 0.25, 1));
     EXPECT_TRUE(obj_has_materials(file));
@@ -242,9 +240,8 @@ TEST_F(ReaderProgram, ReadsObjInUtf16) {
 TEST_F(ReaderProgram, MaterialsThatAreNotOpaqueBlend) {
   const auto file = folder_.write("scene.obj", two_squares);
   folder_.write("my.mtl", "newmtl painted\nTr 0.25\nnewmtl shiny\nd 0.25\n");
-  std::vector<std::string> warnings;
-  const auto scene = read_imported_scene(file, warnings);
-  EXPECT_TRUE(warnings.empty());
+  const auto scene = read_scene(file);
+  EXPECT_TRUE(warnings_.empty());
   ASSERT_EQ(scene->parts.size(), 2u);
   std::vector<double> opacities;
   for (const ImportedPart& part : scene->parts) {
@@ -259,8 +256,7 @@ TEST_F(ReaderProgram, StopsWhenAsked) {
   const auto file = folder_.write("scene.obj", two_squares);
   std::stop_source source;
   source.request_stop();
-  std::vector<std::string> warnings;
-  EXPECT_EQ(read_imported_scene(file, warnings, source.get_token()), nullptr);
+  EXPECT_EQ(read_imported_scene(file, warnings_, source.get_token()), nullptr);
 }
 
 TEST(RawSceneBytes, RoundTrip) {

@@ -107,9 +107,8 @@ TEST_F(SurfaceFile, IsSavedAsItWas) {
       write(R"("file": "model/town.gltf", "nodes": ["house"], "material": { "x": 1 })"));
   save_document(document, folder_ / "again.brume");
   const std::string text = content_of(folder_ / "again.brume");
-  EXPECT_TRUE(contains(text, R"("file": "model/town.gltf")"));
-  EXPECT_TRUE(contains(text, R"("nodes": ["house"])"));
-  EXPECT_TRUE(contains(text, R"("material": { "x": 1 })"));
+  EXPECT_TRUE(contains(text, R"("file": "model/town.gltf")", R"("nodes": ["house"])",
+                       R"("material": { "x": 1 })"));
   EXPECT_FALSE(contains(text, "\"mesh\""));
   save_document(load_document(folder_ / "again.brume"), folder_ / "third.brume");
   EXPECT_EQ(content_of(folder_ / "third.brume"), text);
@@ -136,8 +135,7 @@ TEST_F(SurfaceFile, MaterialsTakeThePlaceOfThoseOfItsFile) {
 
   save_document(load_document(write(removed)), folder_ / "again.brume");
   const std::string text = content_of(folder_ / "again.brume");
-  EXPECT_TRUE(contains(text, R"("base_color_texture": {})"));
-  EXPECT_TRUE(contains(text, R"("x": 1)"));
+  EXPECT_TRUE(contains(text, R"("base_color_texture": {})", R"("x": 1)"));
   EXPECT_EQ(load_scene(folder_ / "again.brume").surfaces[0].materials,
             load_scene(write(removed)).surfaces[0].materials);
   save_document(load_document(write(town + R"("type": "metallic_roughness" } ])")),
@@ -174,8 +172,8 @@ TEST_F(SurfaceFile, AMaterialThatItsFileLacksIsWarnedOf) {
       R"("file": "model/town.gltf", "materials": [ { "name": "brick", "type": "diffuse" } ])");
   EXPECT_EQ(load_scene(file, &warnings).surfaces[0].materials.size(), 1u);
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_TRUE(contains(warnings[0], "surfaces[].materials[].name"));
-  EXPECT_TRUE(contains(warnings[0], "no material brick in town.gltf"));
+  EXPECT_TRUE(
+      contains(warnings[0], "surfaces[].materials[].name", "no material brick in town.gltf"));
 }
 
 TEST_F(SurfaceFile, OneFileIsReadOnce) {
@@ -245,8 +243,7 @@ TEST_F(SurfaceFile, MayBeMissingAsAWhole) {
   EXPECT_EQ(missing.missing, std::vector{folder_ / "model/gone.glb"});
   save_document(document, folder_ / "again.brume");
   const std::string text = content_of(folder_ / "again.brume");
-  EXPECT_TRUE(contains(text, R"("file": "model/gone.glb")"));
-  EXPECT_TRUE(contains(text, R"("nodes": ["any"])"));
+  EXPECT_TRUE(contains(text, R"("file": "model/gone.glb")", R"("nodes": ["any"])"));
 }
 
 TEST_F(SurfaceFile, IsGatheredWithItsFiles) {

@@ -68,8 +68,7 @@ TEST_F(CamerasAndOutput, ComeBackWithTheirUnknownKeys) {
   EXPECT_EQ(loaded.scene, scene);
   EXPECT_EQ(loaded.extras.unknown_keys, document.extras.unknown_keys);
   const std::string text = content_of(folder_ / "b.brume");
-  EXPECT_TRUE(contains(text, R"("file": "renders/shot.exr")"));
-  EXPECT_TRUE(contains(text, R"("quality": "high")"));
+  EXPECT_TRUE(contains(text, R"("file": "renders/shot.exr")", R"("quality": "high")"));
 
   // A camera that is put in use takes its unknown keys along.
   SceneDocument other = document;
@@ -255,8 +254,8 @@ TEST(TangentsFile, LeaveOtherFilesAsTheyWere) {
   box.primitive = Primitive{};
   box.mesh = mesh_of(*box.primitive);
   const std::string saved = document_to_json(document, folder.path());
-  EXPECT_TRUE(contains(saved, R"({ "time": 0.0, "value": 0.5 },)"));
-  EXPECT_TRUE(contains(saved, R"({ "time": 1.0, "value": 0.25, "interpolation": "linear" })"));
+  EXPECT_TRUE(contains(saved, R"({ "time": 0.0, "value": 0.5 },)",
+                       R"({ "time": 1.0, "value": 0.25, "interpolation": "linear" })"));
   const std::string surface = saved.substr(saved.find("\"surfaces\""));
   EXPECT_FALSE(contains(surface, "\"keys\""));
 }

@@ -170,10 +170,8 @@ TEST_F(MaterialFile, KeepsMetallicRoughness) {
   EXPECT_EQ(again.extras.unknown_keys, document.extras.unknown_keys);
   EXPECT_EQ(document_to_json(again, folder_.path()), content_of(folder_ / "b.brume"));
   const std::string text = content_of(folder_ / "b.brume");
-  EXPECT_TRUE(contains(text, R"("wrap_u": "clamp")"));
-  EXPECT_TRUE(contains(text, R"("alpha": "cutout")"));
-  EXPECT_TRUE(contains(text, R"("later": 1)"));
-  EXPECT_TRUE(contains(text, R"("x": 2)"));
+  EXPECT_TRUE(
+      contains(text, R"("wrap_u": "clamp")", R"("alpha": "cutout")", R"("later": 1)", R"("x": 2)"));
 }
 
 TEST_F(MaterialFile, HasTheDefaultsOfGltf) {
@@ -188,8 +186,7 @@ TEST_F(MaterialFile, MissingTextureIsAWarningThatNamesIt) {
   std::vector<std::string> warnings;
   const SceneDocument document = load_document(file, &warnings);
   ASSERT_EQ(warnings.size(), 2u);
-  EXPECT_TRUE(contains(warnings[0], "surfaces[].material.base_color_texture.file"));
-  EXPECT_TRUE(contains(warnings[0], "oak.png"));
+  EXPECT_TRUE(contains(warnings[0], "surfaces[].material.base_color_texture.file", "oak.png"));
   EXPECT_TRUE(contains(warnings[1], "bark.png"));
   const MetallicRoughness& values = document.scene.surfaces.at(0).material.metallic_roughness;
   EXPECT_EQ(values.base_color_texture.content, nullptr);
@@ -220,8 +217,7 @@ TEST_F(MaterialFile, RefusesBadValues) {
                "surfaces[0].material.normal_texture.wrap_u"));
   folder_.write("broken.png", "\x89PNG\r\n\x1a\n");
   const std::string broken = error(begin + R"("emissive_texture": { "file": "broken.png" } })");
-  EXPECT_TRUE(contains(broken, "surfaces[0].material.emissive_texture.file"));
-  EXPECT_TRUE(contains(broken, "broken.png"));
+  EXPECT_TRUE(contains(broken, "surfaces[0].material.emissive_texture.file", "broken.png"));
 }
 
 }  // namespace

@@ -40,8 +40,7 @@ TEST_F(UsdFile, HasSplatsWhereFramesHaveThem) {
   EXPECT_TRUE(contains(prim(all, "Fog"), "token purpose = \"render\""));
   const std::string splats = prim(all, "Fog_splats");
   EXPECT_TRUE(splats.find("def ParticleField3DGaussianSplat") != std::string::npos) << splats;
-  EXPECT_TRUE(contains(splats, "token purpose = \"proxy\""));
-  EXPECT_TRUE(contains(splats, "sphericalHarmonicsDegree = 0"));
+  EXPECT_TRUE(contains(splats, "token purpose = \"proxy\"", "sphericalHarmonicsDegree = 0"));
   const auto expect = [&](const char* attribute, const std::vector<double>& expected) {
     const std::vector<double> found = numbers(splats, attribute);
     ASSERT_EQ(found.size(), expected.size()) << attribute;
@@ -58,9 +57,8 @@ TEST_F(UsdFile, HasSplatsWhereFramesHaveThem) {
   frame.frame = 0;
   UsdFrame empty{1, scene_, {}};
   const std::string animated = prim(stage({frame, empty}), "Fog_splats");
-  EXPECT_TRUE(contains(animated, "positions.timeSamples = {"));
-  EXPECT_TRUE(contains(animated, "1: [],"));
-  EXPECT_TRUE(contains(animated, "sphericalHarmonicsCoefficients (\n            elementSize = 1"));
+  EXPECT_TRUE(contains(animated, "positions.timeSamples = {", "1: [],",
+                       "sphericalHarmonicsCoefficients (\n            elementSize = 1"));
 }
 
 TEST_F(UsdFile, CameraSeesWhatBrumeSees) {
@@ -101,8 +99,7 @@ TEST_F(UsdFile, PointLightsKeepTheirIntensity) {
   ASSERT_TRUE(contains(light, "SphereLight"));
   EXPECT_NEAR(numbers(light, "inputs:intensity")[0] / 4.0, 8.0, 1e-12);
   EXPECT_EQ(numbers(light, "inputs:color"), (std::vector{1.0, 0.5, 0.25}));
-  EXPECT_TRUE(contains(light, "inputs:normalize = true"));
-  EXPECT_TRUE(contains(light, "treatAsPoint = true"));
+  EXPECT_TRUE(contains(light, "inputs:normalize = true", "treatAsPoint = true"));
 }
 
 TEST_F(UsdFile, OtherLightsKeepShapeAndDirection) {
@@ -170,25 +167,19 @@ TEST_F(UsdFile, WhatMovesHasTimeSamples) {
     frames.push_back({frame, scene_, "fog_" + std::to_string(frame) + ".vdb"});
   }
   const std::string text = stage(frames);
-  EXPECT_TRUE(contains(text, "startTimeCode = 1"));
-  EXPECT_TRUE(contains(text, "endTimeCode = 2"));
-  EXPECT_TRUE(contains(text, "timeCodesPerSecond = 24"));
+  EXPECT_TRUE(contains(text, "startTimeCode = 1", "endTimeCode = 2", "timeCodesPerSecond = 24"));
   const std::string camera = prim(text, "Camera");
-  EXPECT_TRUE(contains(camera, "xformOp:transform.timeSamples = {"));
-  EXPECT_TRUE(contains(camera, "focalLength = "));  // stays
+  EXPECT_TRUE(contains(camera, "xformOp:transform.timeSamples = {", "focalLength = "));  // stays
   const std::string density = prim(text, "density");
-  EXPECT_TRUE(contains(density, "1: @fog_1.vdb@"));
-  EXPECT_TRUE(contains(density, "2: @fog_2.vdb@"));
+  EXPECT_TRUE(contains(density, "1: @fog_1.vdb@", "2: @fog_2.vdb@"));
   EXPECT_TRUE(contains(text, "rel field:density = </World/Fog/density>"));
 }
 
 // A farm's task writes one, to be put together with others.
 TEST_F(UsdFile, OneFrameOfASequenceHasItsTimeCode) {
   const std::string text = stage({{48, scene_, "fog_48.vdb"}});
-  for (const char* line : {"startTimeCode = 48\n", "endTimeCode = 48\n",
-                           "timeCodesPerSecond = 24\n", "48: @fog_48.vdb@,\n"}) {
-    EXPECT_TRUE(contains(text, line));
-  }
+  EXPECT_TRUE(contains(text, "startTimeCode = 48\n", "endTimeCode = 48\n",
+                       "timeCodesPerSecond = 24\n", "48: @fog_48.vdb@,\n"));
   EXPECT_TRUE(contains(prim(text, "Camera"), "float focalLength.timeSamples = {"));
   EXPECT_FALSE(contains(stage(), "timeCode")) << "a moment alone";
 }
@@ -260,11 +251,8 @@ TEST_F(UsdSurface, CopiesAreWhereTheyAreInEachFrame) {
   std::vector<UsdFrame> frames{{1, scene_, {}}, {2, scene_, {}}, {3, scene_, {}}};
   frames[2].scene.surfaces[0].translate = {0.0, 3.0, 0.0};
   const std::string moving = prim(stage(frames), "Box_copies");
-  EXPECT_TRUE(contains(moving, "positions.timeSamples = {"));
-  EXPECT_TRUE(contains(moving, "1: [(2, 0, 0)],"));
-  EXPECT_TRUE(contains(moving, "2: [(2, 0, 0)],"));
-  EXPECT_TRUE(contains(moving, "3: [(2, -6, 0)],"));
-  EXPECT_TRUE(contains(moving, "scales = [(2, 2, 2)]"));
+  EXPECT_TRUE(contains(moving, "positions.timeSamples = {", "1: [(2, 0, 0)],", "2: [(2, 0, 0)],",
+                       "3: [(2, -6, 0)],", "scales = [(2, 2, 2)]"));
   frames[2] = frames[1];
   frames[2].frame = 3;
   EXPECT_FALSE(contains(prim(stage(frames), "Box_copies"), "timeSamples"));
@@ -283,8 +271,7 @@ TEST_F(UsdSurface, MeshesBendFromFrameToFrame) {
   bent.points[0] = {7.0f, 8.0f, 9.0f};
   frames[1].scene.surfaces[0].mesh = to_mesh(bent);
   const std::string mesh = prim(stage(frames), "Box");
-  EXPECT_TRUE(contains(mesh, "points.timeSamples = {"));
-  EXPECT_TRUE(contains(mesh, "2: [(7, 8, 9), "));
+  EXPECT_TRUE(contains(mesh, "points.timeSamples = {", "2: [(7, 8, 9), "));
   EXPECT_TRUE(contains(mesh, "normals = [")) << "which stay";
 }
 
