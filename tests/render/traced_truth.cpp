@@ -7,10 +7,10 @@
 #include <cstdlib>
 #include <fstream>
 #include <functional>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "render/renderer.h"
 
@@ -53,12 +53,14 @@ void set_colors(std::vector<float>& layer, std::size_t stride, const Json& json)
   }
 }
 
-// The name of this test and the number of the call within it.
+// The name of this test and the number of the call within it, from 1 on where it is repeated.
 std::string next_key() {
-  static std::map<std::string, int> calls;
   const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
-  const std::string name = std::string(test.test_suite_name()) + "." + test.name();
-  return name + " " + std::to_string(++calls[name]);
+  static std::pair<const testing::TestInfo*, testing::TimeInMillis> running;
+  static int calls;
+  if (running != std::pair(&test, test.result()->start_timestamp())) calls = 0;
+  running = {&test, test.result()->start_timestamp()};
+  return std::string(test.test_suite_name()) + "." + test.name() + " " + std::to_string(++calls);
 }
 
 Json read_truths() {

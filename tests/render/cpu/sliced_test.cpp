@@ -17,12 +17,6 @@ Settings sliced(int slices) {
   return sliced_settings({}, slices);
 }
 
-Settings reference() {
-  Settings settings;
-  settings.airlight = AirlightMethod::reference;
-  return settings;
-}
-
 struct KindOfScene {
   std::string name;
   Scene scene;
@@ -79,11 +73,9 @@ std::vector<KindOfScene> make_rows() {
   constexpr double finest = 0.003;
   std::vector<KindOfScene> rows{
       {"30 Gaussians, depth 0.3", cloud_scene(30, 0.3), cloud, finest},
-      {"30 Gaussians, depth 1", cloud_scene(30, 1.0), cloud, finest},
       {"30 Gaussians, depth 3", cloud_scene(30, 3.0), cloud, finest},
       {"30 Gaussians, depth 10", cloud_scene(30, 10.0), cloud, finest},
       {"300 Gaussians, depth 0.3", cloud_scene(300, 0.3), cloud, finest},
-      {"300 Gaussians, depth 1", cloud_scene(300, 1.0), cloud, finest},
       {"300 Gaussians, depth 3", cloud_scene(300, 3.0), cloud, finest},
       {"300 Gaussians, depth 10", cloud_scene(300, 10.0), cloud, finest},
       {"1,000 Gaussians, depth 10", cloud_scene(1000, 10.0), cloud, finest},
@@ -116,7 +108,7 @@ class KindsOfScenes : public testing::TestWithParam<KindOfScene> {
   const Scene& scene() const { return GetParam().scene; }
   double error_of(const Frame& frame) const { return rel_rmse(frame.airlight, truth_.airlight); }
 
-  Frame truth_ = render_frame(GetParam().scene, reference());
+  Frame truth_ = render_frame(GetParam().scene, {.airlight = AirlightMethod::reference});
 };
 
 TEST_P(KindsOfScenes, SlicedAndAutoKeepTheirBounds) {
@@ -125,7 +117,7 @@ TEST_P(KindsOfScenes, SlicedAndAutoKeepTheirBounds) {
   // With more slices and finer tables the error falls, down to what depth_error leaves.
   constexpr double floor = 5e-4;
   double error = 1.0;
-  for (const int slices : {8, 16, 32, 64, 128}) {
+  for (const int slices : {8, 32, 128}) {
     SCOPED_TRACE(slices);
     const double before = error;
     const Frame frame = render_frame(scene(), sliced(slices));

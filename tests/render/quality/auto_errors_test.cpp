@@ -145,7 +145,7 @@ Tally tally_auto(unsigned first, unsigned count, ErrorMeasurement effort) {
 // 95% intervals. No sample can detect every frame that breaks the bound; 1% is the limit we accept.
 // Seeds differ from those used in tuning.
 TEST(AutoErrors, IntervalsHoldOnRandomScenes) {
-  const unsigned scenes = random_cases(14);
+  const unsigned scenes = random_cases(10);
   for (const auto effort : {ErrorMeasurement::full, ErrorMeasurement::quick}) {
     const bool is_full = effort == ErrorMeasurement::full;
     SCOPED_TRACE(is_full ? "full" : "quick");

@@ -222,49 +222,6 @@ TEST(SurfaceReference, MatchesAFrameForPointLights) {
   EXPECT_GT(reference.z, 5.0 * reference.x) << "a highlight";
 }
 
-// The light that the model of eq. 25 scatters onto a diffuse ball, against the reference; the light
-// is at distance 1 and so depth T. With the exact spread for T what is left is that six bands are
-// not sharp; with the paper's, which is that of depth 1, T decides.
-TEST(SurfaceModel, PointSpreadMatchesTheReferenceInFog) {
-  struct Row {
-    double T;
-    double error, paper_error;  // relative rms over the lit side
-  };
-  const Row rows[] = {{0.1, 0.02, 0.36}, {0.3, 0.02, 0.26}, {1.0, 0.02, 0.01}, {3.0, 0.02, 0.51}};
-  Scene scene;
-  scene.surfaces = {ball_surface(64, 0.05)};
-  const glm::dvec3 light(0, 0, 1);
-  scene.lights.push_back({light, glm::dvec3(1), {}});
-  const RayCaster ray_caster(scene.surfaces);
-  for (const Row& row : rows) {
-    scene.medium.set_homogeneous_density(row.T);
-    double squares = 0.0;
-    double error = 0.0;
-    double paper_error = 0.0;
-    for (const double cosine : {1.0, 0.75, 0.5, 0.25, 0.0}) {
-      const glm::dvec3 outward(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
-      const SurfaceHit hit = ray_caster.first_hit(2.0 * outward, -outward);
-      ASSERT_TRUE(hit);
-      const SurfacePoint point = ray_caster.point(hit, 2.0 * outward, -outward, scene.surfaces);
-      const double reference =
-          reflected_light(scene, ray_caster, point, {.samples = 100'000}).scattered.x;
-      const double D = glm::length(light - point.position);
-      const double T = row.T * D;
-      const auto model = [&](const ZonalSh<double>& spread) {
-        const ShVector<double> delta = sh_basis(6, (light - point.position) / D);
-        const ShVector<double> reflected =
-            sh_convolve(sh_convolve(delta, spread), clamped_cosine_sh());
-        return 0.5 / pi * T * std::exp(-T) / (D * D) * sh_evaluate(reflected, point.normal);
-      };
-      squares += reference * reference;
-      error += std::pow(model(SpreadTable::point()(T)) - reference, 2);
-      paper_error += std::pow(model(paper_point_spread_sh) - reference, 2);
-    }
-    EXPECT_LT(std::sqrt(error / squares), row.error) << row.T;
-    EXPECT_NEAR(std::sqrt(paper_error / squares), row.paper_error, 0.02) << row.T;
-  }
-}
-
 // The light that eq. 27 scatters onto a ball from a smooth sky, against the reference. The spread
 // of distant light leaves only the bands; the paper takes that of a light near by, at depth 1.
 TEST(SurfaceModel, DistantSpreadMatchesTheReference) {
