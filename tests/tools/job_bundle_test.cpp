@@ -152,8 +152,7 @@ TEST_F(JobBundle, TasksMakeTheFramesOfTheSequence) {
   ASSERT_EQ(results.size(), 3u);
   for (const auto& [chunk, result] : results) {
     EXPECT_EQ(result.exit_code, 0) << chunk << result.err;
-    EXPECT_TRUE(contains(result.out, "openjd_status: frame "));
-    EXPECT_TRUE(contains(result.out, "\nopenjd_progress: 100\n"));
+    EXPECT_TRUE(contains(result.out, "openjd_status: frame ", "\nopenjd_progress: 100\n"));
     EXPECT_FALSE(contains(result.out, "openjd_fail"));
   }
   run_brume({"render", scene_, "--airlight", "sliced", "--scattering", "single", "--fps", "10",

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <span>
 
 #include "brume/error.h"
 #include "core/io/image/image_file.h"
@@ -66,26 +65,22 @@ class MalformedScene : public ::testing::Test {
     }
   }
 
-  // A few by the program, which writes nothing; all of them, hundreds, by what it reads scenes
-  // with.
+  // One by the program, which writes nothing; all of them, hundreds, by what it reads scenes with.
   void expect_each_refused(const std::vector<MalformedCase>& all, std::size_t at_least = 1) const {
     ASSERT_GE(all.size(), at_least);
     const std::string scene = (folder_ / "scene/scene.brume").string();
     write("scene.brume", "");
     const std::size_t entries = folder_.entry_count();
-    for (const MalformedCase& refused : std::span(all).first(4)) {
-      SCOPED_TRACE(refused.name);
-      write("scene.brume", refused.text);
-      const ProgramResult result = run_brume({"render", scene, "-o", (folder_ / "o.exr").string(),
-                                              "--stats", (folder_ / "s.json").string()});
-      EXPECT_EQ(result.exit_code, 2);
-      EXPECT_EQ(result.out, "");
-      const std::string before = "brume: error: ";
-      ASSERT_TRUE(result.err.starts_with(before) && result.err.ends_with('\n')) << result.err;
-      expect_names(result.err.substr(before.size(), result.err.size() - before.size() - 1), scene,
-                   refused);
-      EXPECT_EQ(folder_.entry_count(), entries) << "something was written";
-    }
+    write("scene.brume", all.front().text);
+    const ProgramResult result = run_brume({"render", scene, "-o", (folder_ / "o.exr").string(),
+                                            "--stats", (folder_ / "s.json").string()});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out, "");
+    const std::string before = "brume: error: ";
+    ASSERT_TRUE(result.err.starts_with(before) && result.err.ends_with('\n')) << result.err;
+    expect_names(result.err.substr(before.size(), result.err.size() - before.size() - 1), scene,
+                 all.front());
+    EXPECT_EQ(folder_.entry_count(), entries) << "something was written";
     for (const MalformedCase& refused : all) {
       SCOPED_TRACE(refused.name);
       write("scene.brume", refused.text);

@@ -66,8 +66,8 @@ TEST_F(Messages, ManyWarningsAreCounted) {
   for (int i = 0; i < 500; ++i) scene["unknown_" + std::to_string(i)] = i;
   const ProgramResult result = expect_done({"info", folder_.write("w.brume", scene.dump())});
   EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 21) << result.err;
-  EXPECT_TRUE(contains(result.err, "unknown_0: unknown key"));
-  EXPECT_TRUE(contains(result.err, "w.brume: and 980 more warnings like these"));
+  EXPECT_TRUE(
+      contains(result.err, "unknown_0: unknown key", "w.brume: and 980 more warnings like these"));
 }
 
 TEST_F(Messages, NameWhatIsGatheredFromElsewhere) {
@@ -90,8 +90,7 @@ TEST_F(Messages, NameWhatIsGatheredFromElsewhere) {
       expect_done({"gather", scene("here/b.brume", surfaces), file("all")});
   const std::string note = "copied from outside the scene's folder: " + file("floor.obj") + ", " +
                            file("elsewhere/10.obj");
-  EXPECT_TRUE(contains(others.err, note));
-  EXPECT_TRUE(contains(others.err, "18.obj and 3 more\n"));
+  EXPECT_TRUE(contains(others.err, note, "18.obj and 3 more\n"));
 }
 
 TEST_F(Messages, SuggestASufficientVoxelSize) {

@@ -69,50 +69,6 @@ TEST_F(VolumeCommands, ExportsWhatEmittersHaveMade) {
   EXPECT_LT(count("-1"), 1u);
 }
 
-double depth_between(std::span<const Gaussian> gaussians, const glm::dvec3& a,
-                     const glm::dvec3& b) {
-  double depth = 0.0;
-  for (const Gaussian& g : gaussians) depth += optical_depth(g, a, b);
-  return depth;
-}
-
-// Medium, volume, Gaussians again: the optical depth stays.
-TEST_F(VolumeCommands, ExportAndFitGiveBackTheOpticalDepth) {
-  Random random(5);
-  std::vector<Gaussian> gaussians;
-  for (int i = 0; i < 12; ++i) {
-    gaussians.push_back({random.point(1.0), random.uniform(0.25, 0.5), random.uniform(0.2, 2.0)});
-  }
-  write_gaussians(file("a.ply"), gaussians);
-  expect_done({"export", file("a.ply"), "-o", file("a.vdb")});
-  expect_done({"fit", file("a.vdb"), "--count", "40", "-o", file("b.ply")});
-  const std::vector<Gaussian> back = read_gaussians(file("b.ply"));
-  double wrong = 0.0;
-  double right = 0.0;
-  for (int i = 0; i < 2000; ++i) {
-    const glm::dvec3 a = random.point(1.5);
-    const glm::dvec3 b = random.point(1.5);
-    const double depth = depth_between(gaussians, a, b);
-    wrong += std::pow(depth_between(back, a, b) - depth, 2.0);
-    right += depth * depth;
-  }
-  EXPECT_LT(std::sqrt(wrong / right), 0.02);
-}
-
-// Another program reads the analytic density at the voxels, to the last bit of what is stored.
-TEST_F(VolumeCommands, ExportedVolumesAreReadByOpenVdbInPython) {
-  for (const char* precision : {"float", "half"}) {
-    std::vector<std::string> arguments{"export", scene_, "-o", file("m.vdb"), "--voxel", "0.2"};
-    if (precision == std::string("half")) arguments.push_back("--half");
-    expect_done(arguments);
-    const std::string command = quoted(BRUME_PYTHON) + " " + quoted(BRUME_READ_VOLUME) + " " +
-                                quoted(file("m.vdb")) + " 0.2 " + precision +
-                                " 0,0,0,1,0.5 1,0,0,0.5,2 > " + quoted(file("voxels"));
-    ASSERT_EQ(std::system(command.c_str()), 0) << "Debian's python3-openvdb is needed";
-    EXPECT_GT(std::stoi(content_of(file("voxels"))), 10'000);
-  }
-}
-
 TEST_F(VolumeCommands, ExportsATimeRange) {
   const std::string scene = folder_.write_scene(
       "e.brume", R"("medium": { "emitters": [ { "position": [0, 0, 0], "rate": 10 } ] })");
@@ -153,8 +109,7 @@ TEST_F(VolumeCommands, ExportsTheMedium) {
   }
   const ProgramResult result =
       expect_done({"export", scene_, "-o", file("m.vdb"), "--voxel", "0.1", "--half"});
-  EXPECT_TRUE(contains(result.err, "the homogeneous density, 0.02"));
-  EXPECT_TRUE(contains(result.err, "voxels of 0.1"));
+  EXPECT_TRUE(contains(result.err, "the homogeneous density, 0.02", "voxels of 0.1"));
   const Json grids = Json::parse(run_brume({"info", "--json", file("m.vdb")}).out)["grids"];
   ASSERT_EQ(grids.size(), 1u);
   EXPECT_EQ(grids[0]["name"], "density");
@@ -186,7 +141,15 @@ std::vector<Gaussian> colored_gaussians() {
   return gaussians;
 }
 
-TEST_F(VolumeColorCommands, ExportAndFitGiveBackTheColours) {
+double depth_between(std::span<const Gaussian> gaussians, const glm::dvec3& a,
+                     const glm::dvec3& b) {
+  double depth = 0.0;
+  for (const Gaussian& g : gaussians) depth += optical_depth(g, a, b);
+  return depth;
+}
+
+// Medium, volume, Gaussians again: colours and optical depths stay.
+TEST_F(VolumeColorCommands, ExportAndFitGiveBackTheMedium) {
   const std::vector<Gaussian> gaussians = colored_gaussians();
   write_gaussians(file("a.ply"), gaussians);
   expect_done({"export", file("a.ply"), "-o", file("a.vdb")});
@@ -217,6 +180,16 @@ TEST_F(VolumeColorCommands, ExportAndFitGiveBackTheColours) {
   // Found: 0.006 and 0.016, by fits of 1% of densities that overlap.
   EXPECT_LT(std::sqrt(albedo_squares / 500.0), 0.02);
   EXPECT_LT(std::sqrt(emission_squares / scale), 0.05);
+  double wrong = 0.0;
+  double right = 0.0;
+  for (int i = 0; i < 2000; ++i) {
+    const glm::dvec3 a = random.point(1.5);
+    const glm::dvec3 b = random.point(1.5);
+    const double depth = depth_between(gaussians, a, b);
+    wrong += std::pow(depth_between(back, a, b) - depth, 2.0);
+    right += depth * depth;
+  }
+  EXPECT_LT(std::sqrt(wrong / right), 0.02);
 
   // Declined, they are not there.
   const ProgramResult plain = expect_done({"fit", file("a.vdb"), "--count", "4", "--color", "none",
@@ -226,7 +199,8 @@ TEST_F(VolumeColorCommands, ExportAndFitGiveBackTheColours) {
   EXPECT_FALSE(contains(content_of(file("c.csv")), "albedo"));
 }
 
-TEST_F(VolumeColorCommands, ExportedColoursAreReadByOpenVdbInPython) {
+// Another program reads the analytic values at the voxels, to the last bit of what is stored.
+TEST_F(VolumeColorCommands, ExportedVolumesAreReadByOpenVdbInPython) {
   const std::string scene =
       folder_.write_scene("colors.brume", R"("medium": { "albedo": [0.9, 0.8, 0.7], "gaussians": [
       { "center": [0, 0, 0], "radius": 1, "density": 0.5, "emission": [3, 2, 100000] },
