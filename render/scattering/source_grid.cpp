@@ -279,7 +279,7 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
     const Level& coarse = levels_[k + 1];
     level.inflow.emplace(NodeLayout{coarse.first, coarse.nodes},
                          NodeLayout{level.first, level.nodes});
-    if (!content.surfaces || level.holds_surfaces) continue;
+    if (!coarse.surfaces || level.holds_surfaces) continue;  // null, too, once the job is stopped
     level.inflow->see(content.surfaces->ray_caster(), coarse.surfaces->hidden(), job);
   }
   for (std::size_t k = 0; k < levels_.size(); ++k) {

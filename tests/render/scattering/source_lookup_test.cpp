@@ -211,14 +211,14 @@ TEST(GridOcclusion, NodesWithinSolidsAreEnclosed) {
 }
 
 // The grid of a cloud around surfaces.
-SourceGrid grid_around(const std::vector<Surface>& surfaces) {
+SourceGrid grid_around(const std::vector<Surface>& surfaces, const Job& job = {}) {
   const RayCaster ray_caster(surfaces);
   LevelOcclusion occlusion;
   occlusion.set(ray_caster, surfaces);
   SourceGrid::Content content;
   content.surfaces = &occlusion;
   const MediumIndex index(cloud(30, 3.0).medium, 1e-4, 0.0);
-  return {index.gaussians(), {}, content, SourceGridSize{.nodes = 8000}, Job{}};
+  return {index.gaussians(), {}, content, SourceGridSize{.nodes = 8000}, job};
 }
 
 // But for an eye in there they are a room.
@@ -229,6 +229,18 @@ TEST(GridOcclusion, NodesAroundTheEyeAreNotEnclosed) {
             GridOcclusion::all_bits & ~enclosed);
   EXPECT_EQ(NodeVisibility(grid, {2.2, 0.0, 0.0}).occlusion_bits, GridOcclusion::all_bits);
   EXPECT_EQ(NodeVisibility(grid, {1e12, -1e12, 0.0}).occlusion_bits, GridOcclusion::all_bits);
+}
+
+// The occlusion of a level is missing then.
+TEST(SourceGrid, IsMadeByAStoppedJob) {
+  std::stop_source stop;
+  stop.request_stop();
+  Job job;
+  job.stop = stop.get_token();
+  const SourceGrid grid =
+      grid_around({placed(Primitive::Shape::plane, {40.0, 1.0, 40.0}, {0.0, 0.0, 0.0})}, job);
+  ASSERT_GT(grid.levels().size(), 1u);
+  EXPECT_FALSE(grid.levels()[1].surfaces);
 }
 
 // Nodes on the eye's side of a floor count in the layer of cells that holds both.
