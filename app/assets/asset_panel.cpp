@@ -7,6 +7,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QMimeData>
+#include <QPainter>
 #include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -55,6 +56,21 @@ class AssetList : public QListWidget {
   using QListWidget::QListWidget;
 
  protected:
+  // Says how assets come here, where none is shown.
+  void paintEvent(QPaintEvent* event) override {
+    QListWidget::paintEvent(event);
+    for (int row = 0; row < count(); ++row) {
+      if (!item(row)->isHidden()) return;
+    }
+    QPainter painter(viewport());
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    const QString text =
+        count() == 0 ? AssetPanel::tr("No assets yet. Save what is selected, or put meshes, volumes "
+                                      "and scenes into the folder.")
+                     : AssetPanel::tr("No asset is of this kind and has this in its name.");
+    painter.drawText(viewport()->rect().adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap,
+                     text);
+  }
   [[nodiscard]] QStringList mimeTypes() const override { return {asset_mime}; }
   [[nodiscard]] QMimeData* mimeData(const QList<QListWidgetItem*>& items) const override {
     if (items.isEmpty()) return nullptr;

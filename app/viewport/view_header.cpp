@@ -83,9 +83,8 @@ void ViewHeader::set_menus(const Menus& menus) {
 void ViewHeader::refresh(bool is_marked) {
   const FrameScheduler& frames = pane_.frames();
   mode_->setText(projection_title(pane_.projection()) + " · " + view_mode_title(frames.mode()));
-  QPalette colors = palette();
-  colors.setColor(QPalette::ButtonText,
-                  is_marked ? accent_color() : colors.color(QPalette::WindowText));
+  QPalette colors;  // what is not set follows the theme
+  if (is_marked) colors.setColor(QPalette::ButtonText, accent_color());
   mode_->setPalette(colors);
   const FrameQuality& quality = frames.quality();
   quality_->setText(frames.mode() == ViewMode::path_traced        ? tr("Reference")

@@ -18,9 +18,10 @@ class EditorStyle : public QProxyStyle {
     return QProxyStyle::styleHint(hint, option, widget, data);
   }
 
-  // Fusion's outline of check boxes is as dark as a dark ground.
+  // Fusion's outline of check boxes is as dark as a dark ground, and its line below tabs is white.
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
+    if (element == PE_FrameTabBarBase) return;
     QProxyStyle::drawPrimitive(element, option, painter, widget);
     if (element != PE_IndicatorCheckBox && element != PE_IndicatorItemViewItemCheck) return;
     QColor outline = option->palette.color(QPalette::Text);

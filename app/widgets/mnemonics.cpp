@@ -182,6 +182,16 @@ QString without_mnemonic(const QString& text) {
   return Places(text).text({}).replace("&&", "&");
 }
 
+QString command_title(const QAction& action) {
+  const QString title = without_mnemonic(action.iconText()).remove(QChar(0x2026));
+  for (const QObject* holder : action.associatedObjects()) {
+    if (const auto* menu = qobject_cast<const QMenu*>(holder)) {
+      return without_mnemonic(menu->title()) + " › " + title;
+    }
+  }
+  return title;
+}
+
 bool Mnemonics::eventFilter(QObject* watched, QEvent* event) {
   // Texts that change ask for another layout.
   if (event->type() == QEvent::Show || event->type() == QEvent::LayoutRequest) {

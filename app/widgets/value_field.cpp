@@ -30,7 +30,7 @@ ValueField::ValueField(const QString& title, const NumberDomain& domain, Scale s
   label_->setCursor(Qt::SizeHorCursor);
   label_->installEventFilter(this);
   label_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
-  field_->setMinimumWidth(field_->fontMetrics().horizontalAdvance("00.0000"));
+  field_->setMinimumWidth(field_->fontMetrics().horizontalAdvance("0.0000"));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(5);

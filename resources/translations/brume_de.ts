@@ -48,6 +48,14 @@
         <translation>Szenen</translation>
     </message>
     <message>
+        <source>No assets yet. Save what is selected, or put meshes, volumes and scenes into the folder.</source>
+        <translation>Noch keine Assets. Speichern Sie, was gewählt ist, oder legen Sie Netze, Volumen und Szenen in den Ordner.</translation>
+    </message>
+    <message>
+        <source>No asset is of this kind and has this in its name.</source>
+        <translation>Kein Asset ist von dieser Art und hat dies im Namen.</translation>
+    </message>
+    <message>
         <source>Shows assets whose names have this</source>
         <translation>Zeigt Assets, in deren Namen dies vorkommt</translation>
     </message>
@@ -1907,6 +1915,14 @@
     <message>
         <source>Set %1 of the copies of %2</source>
         <translation>%1 der Kopien von %2 setzen</translation>
+    </message>
+    <message>
+        <source>Copies scale, min</source>
+        <translation>Kopien Skalierung, min</translation>
+    </message>
+    <message>
+        <source>Copies scale, max</source>
+        <translation>Kopien Skalierung, max</translation>
     </message>
     <message>
         <source>Reflectance</source>
@@ -4564,6 +4580,10 @@ Wahl von Auto</translation>
         <translation>Wiederholen</translation>
     </message>
     <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
         <source>Fi&amp;nd Command…</source>
         <translation>Befehl suchen …</translation>
     </message>
@@ -5040,12 +5060,12 @@ Wahl von Auto</translation>
         <translation>Eine Straße in der Dämmerung mit Spots und Bodennebel</translation>
     </message>
     <message>
-        <source>Statue in fog</source>
-        <translation>Statue im Nebel</translation>
+        <source>Harbour</source>
+        <translation>Hafen</translation>
     </message>
     <message>
-        <source>Drifting fog in three coloured lights</source>
-        <translation>Ziehender Nebel in drei farbigen Lichtern</translation>
+        <source>Lights with photometric profiles, a neon sign, smoke</source>
+        <translation>Lichter mit photometrischen Profilen, eine Leuchtreklame, Rauch</translation>
     </message>
     <message>
         <source>Forest</source>
@@ -5064,14 +5084,6 @@ Wahl von Auto</translation>
         <translation>Spots und ein Flächenlicht auf nasser Straße im Nebel</translation>
     </message>
     <message>
-        <source>Harbour</source>
-        <translation>Hafen</translation>
-    </message>
-    <message>
-        <source>Lights with photometric profiles, a neon sign, smoke</source>
-        <translation>Lichter mit photometrischen Profilen, eine Leuchtreklame, Rauch</translation>
-    </message>
-    <message>
         <source>A flame of Gaussians that shine, and coloured smoke</source>
         <translation>Eine Flamme aus leuchtenden Gaußfunktionen und farbiger Rauch</translation>
     </message>
@@ -5084,20 +5096,28 @@ Wahl von Auto</translation>
         <translation>Animierte Spots; Leertaste spielt ab</translation>
     </message>
     <message>
-        <source>Evening mist</source>
-        <translation>Abendnebel</translation>
-    </message>
-    <message>
-        <source>Ground mist under an evening sky</source>
-        <translation>Bodennebel unter einem Abendhimmel</translation>
-    </message>
-    <message>
         <source>Sunrise</source>
         <translation>Sonnenaufgang</translation>
     </message>
     <message>
         <source>A day's sky, and mist that burns off; press Space to play</source>
         <translation>Der Himmel eines Tages und Nebel, der sich auflöst; Leertaste spielt ab</translation>
+    </message>
+    <message>
+        <source>Statue in fog</source>
+        <translation>Statue im Nebel</translation>
+    </message>
+    <message>
+        <source>Drifting fog in three coloured lights</source>
+        <translation>Ziehender Nebel in drei farbigen Lichtern</translation>
+    </message>
+    <message>
+        <source>Evening mist</source>
+        <translation>Abendnebel</translation>
+    </message>
+    <message>
+        <source>Ground mist under an evening sky</source>
+        <translation>Bodennebel unter einem Abendhimmel</translation>
     </message>
     <message>
         <source>Teapot</source>

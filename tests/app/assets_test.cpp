@@ -104,6 +104,26 @@ class AssetsTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void a_list_that_shows_none_says_why() {
+    TestWindow window(room());
+    const auto shows_text = [&] {
+      const QImage picture = list(window).viewport()->grab().toImage();
+      for (int x = 0; x < picture.width(); ++x) {
+        for (int y = 0; y < picture.height(); ++y) {
+          if (picture.pixel(x, y) != picture.pixel(0, 0)) return true;
+        }
+      }
+      return false;
+    };
+    QCOMPARE(list(window).count(), 0);
+    QVERIFY(shows_text());
+    save_selected_fog(window, "steam.fog.brume");
+    QTRY_VERIFY(shown_asset(window, "steam"));
+    panel(window).findChild<QLineEdit*>("asset_filter")->setText("no such name");
+    QVERIFY(!shown_asset(window, "steam"));
+    QVERIFY(shows_text());
+  }
+
   void fog_that_is_saved_lands_on_the_floor_under_the_mouse_as_a_group() {
     TestWindow window(room());
     save_selected_fog(window, "puff.fog.brume");

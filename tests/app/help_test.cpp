@@ -1,6 +1,7 @@
 // The menu Help.
 
 #include <QDesktopServices>
+#include <QLabel>
 #include <QMenuBar>
 
 #include "app/document/paths.h"
@@ -51,6 +52,20 @@ class HelpTest : public QObject {
     QTRY_VERIFY(QApplication::activePopupWidget());
     QTest::keyClick(QApplication::activePopupWidget(), Qt::Key_M);
     QCOMPARE(browser.opened.size(), 1);
+  }
+
+  void keys_are_listed_by_commands_and_their_menus() {
+    TestWindow window;
+    window.document().undo_stack().push(new QUndoCommand("Move"));
+    window.document().undo_stack().undo();
+    window->findChild<QAction*>("help.keys")->trigger();
+    QString text;
+    for (const QLabel* label : window->findChildren<QLabel*>()) {
+      if (label->text().startsWith("<table>")) text = label->text();
+    }
+    for (const char* title : {">Select › All<", ">Edit › Undo<", ">Edit › Redo<", ">File › Open<"}) {
+      QVERIFY2(text.contains(title), title);
+    }
   }
 
   void missing_manual_is_named() {

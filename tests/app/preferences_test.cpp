@@ -75,7 +75,7 @@ class PreferencesTest : public QObject {
   void keys_are_set_taken_and_given_back() {
     {
       PreferencesWindow window;
-      window.choose_command("Paintbrush");
+      window.choose_command("Tool › Paintbrush");
       auto& edit = window.part<QKeySequenceEdit>("key_edit");
       QTest::keyClick(&edit, Qt::Key_F8);
       window.part<QPushButton>("key_set").click();
@@ -83,10 +83,10 @@ class PreferencesTest : public QObject {
       window.key(Qt::Key_F8);
       QVERIFY(window.action("tool.paintbrush").isChecked());
       // E is the eraser's.
-      window.choose_command("Lasso");
+      window.choose_command("Tool › Lasso");
       QTest::keyClick(&edit, Qt::Key_E);
       window.part<QPushButton>("key_set").click();
-      QCOMPARE(window.part<QLabel>("key_note").text(), "Taken from Eraser.");
+      QCOMPARE(window.part<QLabel>("key_note").text(), "Taken from Tool › Eraser.");
       QVERIFY(window.action("tool.eraser").shortcuts().isEmpty());
       window.key(Qt::Key_E);
       QVERIFY(window.action("tool.lasso").isChecked());
@@ -94,7 +94,7 @@ class PreferencesTest : public QObject {
     PreferencesWindow later;
     QCOMPARE(later.action("tool.paintbrush").shortcut(), QKeySequence(Qt::Key_F8));
     QVERIFY(later.action("tool.eraser").shortcuts().isEmpty());
-    later.choose_command("Paintbrush");
+    later.choose_command("Tool › Paintbrush");
     later.part<QPushButton>("key_default").click();
     QCOMPARE(later.action("tool.paintbrush").shortcut(), QKeySequence(Qt::Key_B));
     later.part<QPushButton>("keys_default").click();

@@ -251,6 +251,19 @@ class ViewsTest : public QObject {
     }
   }
 
+  void titles_of_views_are_legible_in_both_themes() {
+    TestWindow window;
+    window.key(Qt::Key_Q, Qt::ControlModifier | Qt::AltModifier);
+    for (const char* theme : {"theme_light", "theme_dark"}) {
+      window->findChild<QAction*>(theme)->trigger();
+      for (const Viewport* pane : window->views().panes()) {
+        const QPalette palette = pane->findChild<QToolButton*>("pane_title")->palette();
+        const int text = palette.color(QPalette::ButtonText).lightness();
+        QVERIFY2(std::abs(text - palette.color(QPalette::Window).lightness()) > 60, theme);
+      }
+    }
+  }
+
   void exposure_stays_with_its_scene() {
     TestWindow window;
     save_document(small_scene(), window.file("other.brume"));

@@ -272,7 +272,8 @@ void MaterialPanel::add_copies_fields(QFormLayout& form) {
                        gesture, [&](Surface& s) { s.copies->scatter = changed; });
                  },
              .track = {},
-             .object = tr("Copies")});
+             .object = tr("Copies"),
+             .ends = {tr("Copies scale, min"), tr("Copies scale, max")}});
 }
 
 void MaterialPanel::add_material_fields(QFormLayout& form) {

@@ -79,6 +79,7 @@ class SceneForm : public QWidget {
     std::function<void(const Owner&, const FieldInfo&, MergeId)> set;
     std::function<Track(const Scene&, const FieldInfo&)> track;  // empty: without keyframes
     QString object = {};  // before the labels, which then say whose value it is: "Noise frequency"
+    QStringList ends = {};  // labels of the two numbers of a range; empty: at birth and at death
   };
   // A row for one of them: label, unit, tool tip, and a button for keyframes if it can have any.
   template <class F>
@@ -168,8 +169,8 @@ void SceneForm::add_field(QFormLayout& form, const F& field,
           *add_number(form, text, {name + end, field.domain, scale, info.step, get_end, set_end},
                       button));
     };
-    add_end(0, "_birth", at_birth(label), keys);
-    add_end(1, "_death", at_death(), nullptr);
+    add_end(0, "_birth", fields.ends.isEmpty() ? at_birth(label) : fields.ends[0], keys);
+    add_end(1, "_death", fields.ends.isEmpty() ? at_death() : fields.ends[1], nullptr);
   } else if constexpr (std::is_same_v<Value, bool>) {
     finish_field(info, name, *add_toggle(form, label, {name, get, set}));
   } else {

@@ -67,9 +67,9 @@ QVariant swatch(const GaussianOptics& optics, GaussianAttribute field) {
   return {};
 }
 
-// Beside a swatch there is little room; the tool tip has more digits.
+// Columns are narrow, and more so beside a swatch; the tool tip has more digits.
 QString cell_text(double value, GaussianAttribute field) {
-  return number_text(value, is_color(field) ? 3 : 6);
+  return number_text(value, is_color(field) ? 3 : 4);
 }
 
 // The group is chosen elsewhere, and what is too long could be so in several ways. Rotations are of
@@ -204,7 +204,8 @@ QVariant GaussianTableModel::data(const QModelIndex& index, int role) const {
       if (is_of_medium)
         return tr("The medium's albedo: %1").arg(channels_text(*gaussian.optics.albedo));
       if (field == GaussianAttribute::albedo) return channels_text(*own_optics.albedo);
-      return field == GaussianAttribute::emission ? channels_text(own_optics.emission) : QVariant();
+      if (field == GaussianAttribute::emission) return channels_text(own_optics.emission);
+      return number_text(attribute_value(gaussian, field));
     default:
       return {};
   }

@@ -79,6 +79,7 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   column->setSpacing(0);
   auto* row = new QHBoxLayout;
   row->setContentsMargins(8, 2, 8, 2);
+  row->setSpacing(4);
   column->addLayout(row);
   add_playback(*row);
   add_range(*row);

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "app/document/paths.h"
+#include "app/widgets/mnemonics.h"
 
 namespace brume {
 namespace {
@@ -65,7 +66,7 @@ void show_keys(QWidget* parent, const QList<QAction*>& actions) {
   html += row(help_text("Zoom"), help_text("Wheel, or Alt+Right"));
   for (const QAction* action : actions) {
     if (action->shortcut().isEmpty()) continue;
-    html += row(action->iconText(), action->shortcut().toString(QKeySequence::NativeText));
+    html += row(command_title(*action), action->shortcut().toString(QKeySequence::NativeText));
   }
   show_text(parent, help_text("Keyboard Shortcuts"), html + "</table>");
 }

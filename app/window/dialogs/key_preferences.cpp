@@ -16,10 +16,6 @@
 namespace brume {
 namespace {
 
-QString plain_title(const QAction& action) {
-  return without_mnemonic(action.text()).remove(QChar(0x2026));
-}
-
 // "Ctrl+Z", "Del, X".
 QString keys_text(const QAction& action) {
   QStringList texts;
@@ -65,7 +61,7 @@ KeyPreferences::KeyPreferences(QWidget& window, QWidget* parent)
   });
   connect(all, &QPushButton::clicked, this, &KeyPreferences::reset_all);
   for (QAction* action : actions_) {
-    auto* item = new QTreeWidgetItem(list_, {plain_title(*action), keys_text(*action)});
+    auto* item = new QTreeWidgetItem(list_, {command_title(*action), keys_text(*action)});
     item->setData(0, Qt::UserRole, action->objectName());
   }
   list_->setCurrentItem(list_->topLevelItem(0));
@@ -103,7 +99,7 @@ void KeyPreferences::set_keys(QAction& action, const QList<QKeySequence>& keys) 
     if (other == &action) continue;
     QList<QKeySequence> left = other->shortcuts();
     if (left.removeIf([&keys](const QKeySequence& k) { return keys.contains(k); }) == 0) continue;
-    losers << plain_title(*other);
+    losers << command_title(*other);
     other->setShortcuts(left);
     remember_keys(qPrintable(other->objectName()), left);
   }

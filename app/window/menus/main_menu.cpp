@@ -131,6 +131,7 @@ void MainMenu::fill_edit_menu(QMenu* menu) {
   QAction* redo = work_.document.undo_stack().createRedoAction(&window_, tr("&Redo"));
   redo->setObjectName("edit.redo");
   redo->setShortcuts(keys_of("edit.redo"));
+  redo->setIconText(tr("Redo"));
   menu->addAction(undo);
   menu->addAction(redo);
   menu->addSeparator();

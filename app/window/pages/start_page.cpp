@@ -46,23 +46,24 @@ constexpr std::array offered_templates = std::to_array<Offered>({
     {"street", QT_TRANSLATE_NOOP("StartPage", "Street"),
      QT_TRANSLATE_NOOP("StartPage", "A street at dusk with spot lights and ground mist")},
 });
+// The README shows the first six.
 constexpr std::array offered_samples = std::to_array<Offered>({
-    {"bunny_fog", QT_TRANSLATE_NOOP("StartPage", "Statue in fog"),
-     QT_TRANSLATE_NOOP("StartPage", "Drifting fog in three coloured lights")},
+    {"harbour", QT_TRANSLATE_NOOP("StartPage", "Harbour"),
+     QT_TRANSLATE_NOOP("StartPage", "Lights with photometric profiles, a neon sign, smoke")},
     {"forest", QT_TRANSLATE_NOOP("StartPage", "Forest"),
      QT_TRANSLATE_NOOP("StartPage", "Sunbeams between leaves")},
     {"headlights", QT_TRANSLATE_NOOP("StartPage", "Headlights"),
      QT_TRANSLATE_NOOP("StartPage", "Spots and an area light on a wet road in mist")},
-    {"harbour", QT_TRANSLATE_NOOP("StartPage", "Harbour"),
-     QT_TRANSLATE_NOOP("StartPage", "Lights with photometric profiles, a neon sign, smoke")},
     {"candle", QT_TRANSLATE_NOOP("StartPage", "Candle"),
      QT_TRANSLATE_NOOP("StartPage", "A flame of Gaussians that shine, and coloured smoke")},
     {"stage", QT_TRANSLATE_NOOP("StartPage", "Swaying beams"),
      QT_TRANSLATE_NOOP("StartPage", "Animated spots; press Space to play")},
-    {"evening_mist", QT_TRANSLATE_NOOP("StartPage", "Evening mist"),
-     QT_TRANSLATE_NOOP("StartPage", "Ground mist under an evening sky")},
     {"sunrise", QT_TRANSLATE_NOOP("StartPage", "Sunrise"),
      QT_TRANSLATE_NOOP("StartPage", "A day's sky, and mist that burns off; press Space to play")},
+    {"bunny_fog", QT_TRANSLATE_NOOP("StartPage", "Statue in fog"),
+     QT_TRANSLATE_NOOP("StartPage", "Drifting fog in three coloured lights")},
+    {"evening_mist", QT_TRANSLATE_NOOP("StartPage", "Evening mist"),
+     QT_TRANSLATE_NOOP("StartPage", "Ground mist under an evening sky")},
     {"teapot_steam", QT_TRANSLATE_NOOP("StartPage", "Teapot"),
      QT_TRANSLATE_NOOP("StartPage", "Steam against the light")},
     {"courtyard", QT_TRANSLATE_NOOP("StartPage", "Courtyard"),
@@ -148,6 +149,7 @@ StartPage::StartPage(Document& document, SceneFiles& files, QMainWindow& window,
   connect(close_button, &QPushButton::clicked, this, &StartPage::close_page);
   auto* row = new QHBoxLayout;
   row->setContentsMargins(18, 6, 18, 10);
+  row->setSpacing(12);
   row->addWidget(open_button);
   row->addWidget(at_start);
   row->addStretch(1);
