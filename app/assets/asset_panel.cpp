@@ -64,10 +64,11 @@ class AssetList : public QListWidget {
     }
     QPainter painter(viewport());
     painter.setPen(palette().color(QPalette::PlaceholderText));
-    const QString text =
-        count() == 0 ? AssetPanel::tr("No assets yet. Save what is selected, or put meshes, volumes "
-                                      "and scenes into the folder.")
-                     : AssetPanel::tr("No asset is of this kind and has this in its name.");
+    const QString text = count() == 0
+                             ? AssetPanel::tr(
+                                   "No assets yet. Save what is selected, or put meshes, volumes "
+                                   "and scenes into the folder.")
+                             : AssetPanel::tr("No asset is of this kind and has this in its name.");
     painter.drawText(viewport()->rect().adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap,
                      text);
   }

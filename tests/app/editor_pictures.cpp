@@ -159,7 +159,7 @@ class Pictures : public DrivenWindow {
     window_.findChild<QDockWidget*>("curves_dock")->hide();
   }
 
-  // What the panel Assets lists: meshes, a volume, fog, a light, and their thumbnails.
+  // The panel Assets lists meshes, a volume and fog, with their thumbnails.
   void make_assets() {
     const QString folder = to_qstring(make_private_folder(user_asset_folder()));
     const QString resources = BRUME_RESOURCES;
@@ -218,7 +218,7 @@ class Pictures : public DrivenWindow {
     take_panel(*emitters);
   }
 
-  // As high as what is in it, or as there is room for.
+  // The panel is as high as its rows, if there is room.
   void take_panel(QDockWidget& dock) {
     dock.show();
     dock.raise();

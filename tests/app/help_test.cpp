@@ -63,7 +63,8 @@ class HelpTest : public QObject {
     for (const QLabel* label : window->findChildren<QLabel*>()) {
       if (label->text().startsWith("<table>")) text = label->text();
     }
-    for (const char* title : {">Select › All<", ">Edit › Undo<", ">Edit › Redo<", ">File › Open<"}) {
+    for (const char* title :
+         {">Select › All<", ">Edit › Undo<", ">Edit › Redo<", ">File › Open<"}) {
       QVERIFY2(text.contains(title), title);
     }
   }
