@@ -25,7 +25,7 @@
 #include "app/commands/objects/edit_objects.h"
 #include "app/document/document.h"
 #include "app/document/private_files.h"
-#include "app/document/timeline.h"
+#include "app/document/time/timeline.h"
 #include "app/export/render_queue.h"
 #include "app/panels/forms/plate_panel.h"
 #include "app/pictures/picture_viewer.h"
