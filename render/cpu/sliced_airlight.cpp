@@ -67,7 +67,8 @@ void add_source_function(const SlicedSource& from, const TileRays& rays, SliceSc
   const auto weights_of = [&](std::size_t i) -> const SourceWeights& {
     if (!needs_weights) return own_weights;
     if (out.slices == 0) {
-      if (i == 0 || function.is_anisotropic()) own_weights = function.weights(rays.directions[i], from.lobe);
+      if (i == 0 || function.is_anisotropic())
+        own_weights = function.weights(rays.directions[i], from.lobe);
       return own_weights;
     }
     if (s.weights.empty()) {

@@ -178,7 +178,7 @@ class PathTracer {
   // A segment passes panes by chance.
   [[nodiscard]] Segment segment(const Vertex& vertex, const glm::dvec3& w,
                                 PathRandom& random) const;
-  // What the medium lets through along so much of a segment.
+  // The transmittance of the medium along so much of a segment.
   [[nodiscard]] double transmittance(const Segment& segment, double length) const;
   // Ends the segment at a light that is seen, by chance: mirrored light does not pass it, other
   // light does. The factor of the throughput.

@@ -20,8 +20,8 @@
 
 #include "app/assets/asset_panel.h"
 #include "app/assets/save_asset.h"
-#include "app/commands/objects/edit_emitters.h"
 #include "app/commands/gaussians/edit_medium.h"
+#include "app/commands/objects/edit_emitters.h"
 #include "app/commands/objects/edit_objects.h"
 #include "app/document/document.h"
 #include "app/document/private_files.h"

@@ -21,7 +21,7 @@ constexpr qint64 steps_per_second = 30;
 constexpr qint64 max_steps = 20 * steps_per_second;  // at once: the computer may have slept
 constexpr NumberDomain rate_domain{0.0, 1e4, "a number from 0 to 10000"};
 
-// What presets have of a brush as it is, and relative to the distance of the view.
+// The members that presets have as they are, and those relative to the distance of the view.
 constexpr std::array kept_by_airbrush{std::pair(&BrushPreset::jitter, &Airbrush::jitter),
                                       std::pair(&BrushPreset::stretch, &Airbrush::stretch),
                                       std::pair(&BrushPreset::rate, &Airbrush::rate),

@@ -101,7 +101,7 @@ class FogBrushTool : public BrushTool {
 
   static QString stretch_tip();
 
-  // What all brushes have of a preset, and back.
+  // Reads from a preset what all brushes have, and writes it.
   [[nodiscard]] BrushPreset common_preset() const;
   void apply_common(const BrushPreset& preset);
   // Sets a radius, to two digits, and the density of an optical depth through the center.

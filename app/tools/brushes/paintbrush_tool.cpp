@@ -12,7 +12,7 @@
 namespace brume {
 namespace {
 
-// What presets have of a brush as it is.
+// The members that presets have as they are.
 constexpr std::array kept_by_paintbrush{std::pair(&BrushPreset::jitter, &Paintbrush::jitter),
                                         std::pair(&BrushPreset::stretch, &Paintbrush::stretch),
                                         std::pair(&BrushPreset::spacing, &Paintbrush::spacing),

@@ -114,8 +114,8 @@ double start_of(const SourceGrid& grid, const LobedMedium& medium, const CameraR
   return std::max(glm::dot(center - rays.eye(), rays.forward()) - radius, 0.0);
 }
 
-// What the lobe scatters of a sky at the places of the table; at hidden ones that of where their
-// column ends.
+// Returns the scattered light of a sky at the places of the table; at hidden ones that of where
+// their column ends.
 std::vector<glm::vec4> sky_values(const LobeColumns& columns, const SkyLobe& sky, const Job& job) {
   std::vector<glm::vec4> values(LobeColumns::count() *
                                 static_cast<std::size_t>(LobeColumns::size.z));

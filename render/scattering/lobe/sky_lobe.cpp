@@ -16,8 +16,8 @@
 namespace brume {
 namespace {
 
-// Of these, so many are spread like the phase function, and so many evenly: at large angles the
-// lobe takes back what bands scatter too much.
+// Rays from a place: so many are spread like the phase function, and so many evenly, for at large
+// angles the lobe takes back what bands scatter too much.
 constexpr int lobe_directions = 64;
 constexpr int even_directions = 24;
 

@@ -15,7 +15,7 @@ namespace brume {
 // A sky in the frame of its maps, times `scale`.
 struct LobedSky {
   RadianceMap radiance;
-  // What the forward lobe of the phase function scatters of it, see SourceFunction: the sum.
+  // The maps of its clusters convolved with the forward lobe, see SourceFunction: the sum counts.
   std::vector<std::shared_ptr<const RadianceMap>> scattered;
   glm::dmat3 to_map{1.0};
   double scale = 0.0;

@@ -21,7 +21,7 @@ std::vector<Gaussian> gaussians_of(const Medium& medium) {
   return all;
 }
 
-// As many that do not touch: merging does not pay.
+// These do not touch: merging does not pay.
 Medium far_apart() {
   Medium medium;
   for (std::size_t i = 0; i < bank_size; ++i) {
