@@ -6,7 +6,7 @@
 
 namespace brume {
 
-// Whether a text has all parts; what failed says the first that it lacks, or the last that it has.
+// Tells whether a text has all parts; what failed says the first that it lacks, or the last that it has.
 template <class... Parts>
 testing::AssertionResult contains(const std::string& text, const Parts&... parts) {
   std::string told;

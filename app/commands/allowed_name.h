@@ -26,7 +26,7 @@ QString free_name(const QString& name, IsTaken is_taken) {
   return result;
 }
 
-// That among objects with names and ids, but for the one of `own_id`.
+// Returns a name that no other object has, but for the one of `own_id`.
 template <class Objects>
 std::string free_name(const Objects& objects, const QString& name, auto own_id) {
   const auto is_taken = [&](const QString& text) {
@@ -50,11 +50,11 @@ void rename_one(Document& document, Objects objects, auto id, const QString& nam
   const auto found = std::ranges::find(objects, id, &Objects::value_type::id);
   const QString wanted = allowed_name(name, 10);  // with room for a number
   if (found == objects.end() || wanted.isEmpty()) return;
-  const QString before = QString::fromStdString(found->name);
-  if (wanted == before) return;
+  const QString old_name = QString::fromStdString(found->name);
+  if (wanted == old_name) return;
   found->name = free_name(objects, wanted, id);
   const QString text =
-      undo_text("Rename %1 to %2").arg(before, QString::fromStdString(found->name));
+      undo_text("Rename %1 to %2").arg(old_name, QString::fromStdString(found->name));
   set_scene_part(document, std::move(objects), text);
 }
 

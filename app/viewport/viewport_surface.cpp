@@ -65,6 +65,12 @@ class GlViewport : public VtkSurface<QOpenGLWidget> {
             parent) {
     setFormat(surface_format());
   }
+  ~GlViewport() override {
+    if (context()) context()->disconnect(this);
+    host_.gl_gone();
+  }
+  GlViewport(const GlViewport&) = delete;
+  GlViewport& operator=(const GlViewport&) = delete;
 
  protected:
   void initializeGL() override {

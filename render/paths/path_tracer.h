@@ -89,7 +89,7 @@ class PathTracer {
     double density;  // of finding it [1/u]
   };
 
-  // Where a walk goes from a vertex, up to a surface or endlessly, and where it is in fog.
+  // A walk goes here from a vertex, up to a surface or endlessly, and where it is in fog.
   struct Segment {
     glm::dvec3 origin{0.0};
     glm::dvec3 w{0.0};

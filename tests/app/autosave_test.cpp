@@ -54,7 +54,7 @@ class AutosaveTest : public QObject {
 
  private Q_SLOTS:
   void unsaved_work_is_backed_up_until_saved() {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     Document document;
     Autosave autosave(document, folder / "recovery", nullptr);
     save(autosave);
@@ -77,28 +77,28 @@ class AutosaveTest : public QObject {
   }
 
   void sessions_do_not_meet() {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     Document one;
     Document two;
-    Autosave first(one, folder, nullptr);
-    Autosave second(two, folder, nullptr);
+    Autosave first(one, folder.path(), nullptr);
+    Autosave second(two, folder.path(), nullptr);
     add_gaussian(one, {{}, 1.0, 0.5});
     add_gaussian(two, {{}, 2.0, 0.5});
     for (Autosave* autosave : {&first, &second}) save(*autosave);
-    QCOMPARE(copies(folder).size(), 2u);
+    QCOMPARE(copies(folder.path()).size(), 2u);
     QVERIFY(first.recovery_files().empty());  // both live
-    leave_behind(folder, small_scene(), "/nowhere/fog.brume");
+    leave_behind(folder.path(), small_scene(), "/nowhere/fog.brume");
     const auto left = second.recovery_files();
     QCOMPARE(left.size(), 1u);
     QVERIFY(left[0].file == fs::path("/nowhere/fog.brume"));
     first.end();
-    QCOMPARE(copies(folder).size(), 2u);
+    QCOMPARE(copies(folder.path()).size(), 2u);
     Autosave::forget(left[0]);
-    QCOMPARE(copies(folder).size(), 1u);
+    QCOMPARE(copies(folder.path()).size(), 1u);
   }
 
   void a_full_disk_is_reported_once() {
-    const TestFolder temporary;
+    const TemporaryFolder temporary;
     const fs::path folder = temporary / "recovery";
     Document document;
     Autosave autosave(document, folder, nullptr);
@@ -150,7 +150,7 @@ class AutosaveTest : public QObject {
 
   // The editor has the last copy of a file that was removed.
   void a_signal_ends_the_program_once_its_copy_is_written() {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     const std::filesystem::path file = folder / "scene.brume";
     save_document(tiny_scene(), file);
     QProcess editor;
@@ -172,9 +172,9 @@ class AutosaveTest : public QObject {
   }
 
   void a_waiting_state_is_written_at_once() {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     Document document;
-    Autosave autosave(document, folder, nullptr);
+    Autosave autosave(document, folder.path(), nullptr);
     Medium medium;
     for (int k = 0; k < 100'000; ++k) medium.append({{0.001 * k, 0.0, 0.0}, 0.1, 0.001});
     Scene scene;
@@ -182,9 +182,9 @@ class AutosaveTest : public QObject {
     document.open(SceneDocument(std::move(scene)), {});
     add_gaussian(document, {{}, 1.0, 0.5});
     autosave.save_soon();  // once it pauses
-    QVERIFY(copies(folder).empty());
+    QVERIFY(copies(folder.path()).empty());
     autosave.save_now();
-    QCOMPARE(copies(folder).size(), 1u);
+    QCOMPARE(copies(folder.path()).size(), 1u);
   }
 
   void it_is_offered_and_restored() {
@@ -214,7 +214,7 @@ class AutosaveTest : public QObject {
   }
 
   void recovery_files_are_private() {
-    const TestFolder temporary;
+    const TemporaryFolder temporary;
     const fs::path folder = temporary / "data/recovery";
     fs::create_directories(folder);  // as an older version left them: 0755, 0644
     leave_behind(folder, small_scene(), "/nowhere/fog.brume");
@@ -249,10 +249,10 @@ class AutosaveTest : public QObject {
   }
 
   void old_recovery_files_are_removed() {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     Document document;
-    Autosave autosave(document, folder, nullptr);
-    leave_behind(folder, small_scene(), "/nowhere/fog.brume");
+    Autosave autosave(document, folder.path(), nullptr);
+    leave_behind(folder.path(), small_scene(), "/nowhere/fog.brume");
     const auto set_offered = [&](int days_ago) {
       QSettings about(to_qstring(folder / "killed.ini"), QSettings::IniFormat);
       about.setValue("offered", QDateTime::currentDateTimeUtc().addDays(-days_ago));
@@ -267,14 +267,14 @@ class AutosaveTest : public QObject {
     set_offered(Autosave::days_offered + 1);
     Autosave::mark_offered({folder / "killed.brume", {}, {}});
     QVERIFY(autosave.recovery_files().empty());
-    QVERIFY(copies(folder).empty() && !fs::exists(folder / "killed.ini"));
+    QVERIFY(copies(folder.path()).empty() && !fs::exists(folder / "killed.ini"));
   }
 
   void stale_session_files_are_removed() {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     Document document;
-    Autosave autosave(document, folder, nullptr);
-    leave_behind(folder, small_scene(), {});
+    Autosave autosave(document, folder.path(), nullptr);
+    leave_behind(folder.path(), small_scene(), {});
     fs::remove(folder / "killed.brume");
     std::ofstream(folder / ".brume-1-0.tmp") << "half a copy";
     QVERIFY(autosave.recovery_files().empty());

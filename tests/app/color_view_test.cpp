@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QMenu>
 #include <QSettings>
+#include <algorithm>
 
 #include "app/document/paths.h"
 #include "app/viewport/view_grid.h"
@@ -67,6 +68,17 @@ class ColorViewTest : public QObject {
     QVERIFY(shown(window) == neutral);
     QVERIFY(!ColorManagement().view());
     QVERIFY(!window->document().undo_stack().canUndo());  // nothing of the scene
+  }
+
+  // The search for commands looks for them where the menu is closed.
+  void entries_outlive_that_the_menu_is_open() {
+    TestWindow window;
+    QMenu& closed = menu(window);
+    Q_EMIT closed.aboutToHide();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QVERIFY(std::ranges::any_of(closed.actions(), [](const QAction* action) {
+      return action->text().remove('&') == "Neutral";
+    }));
   }
 
   void a_configuration_of_the_environment_is_offered() {

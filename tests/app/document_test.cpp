@@ -81,7 +81,7 @@ class DocumentTest : public QObject {
   }
 
   void unknown_keys_follow_a_light_through_deletion_and_undo() {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     const std::filesystem::path file = folder / "scene.brume";
     SceneDocument loaded = small_scene();
     loaded.scene.lights.assign(3, Light{});
@@ -105,7 +105,7 @@ class DocumentTest : public QObject {
 
   // Whatever the editor takes, files can hold.
   void accepted_values_round_trip() {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     const std::filesystem::path file = folder / "edited.brume";
     Document document;
     const auto comes_back = [&] {

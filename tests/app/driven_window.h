@@ -55,7 +55,7 @@ class DrivenWindow {
     std::fflush(stdout);
   }
 
-  void act(const char* action) { window_.findChild<QAction*>(action)->trigger(); }
+  void act(const char* action) { invoke(window_, action); }
   void hover(QPoint place) { QTest::mouseMove(&view(), place); }
   void press(QPoint place) { QTest::mousePress(&view(), Qt::LeftButton, {}, place); }
   void move(QPoint place) { move_mouse(view(), place); }

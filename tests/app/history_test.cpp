@@ -85,7 +85,7 @@ class HistoryTest : public QObject {
 
   // Saving in the middle, and what the file then holds, changes nothing about that.
   void saving_keeps_the_history() {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     const std::filesystem::path file = folder / "saved.brume";
     for (unsigned seed = 1; seed <= 50; ++seed) {
       Document document;

@@ -61,10 +61,10 @@ class KeptRendersTest : public QObject {
   }
 
   void a_killed_sequence_goes_on_where_it_was() {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     QProcess other;
     start_test(other, {"kept_renders", "a_sequence_is_rendered_until_killed"}, killed_folder,
-               to_qstring(folder));
+               to_qstring(folder.path()));
     const auto is_begun = [&] {
       const auto records = fs::exists(folder / "renders") ? files_in(folder / "renders", ".json")
                                                           : std::vector<fs::path>{};
@@ -141,7 +141,7 @@ class KeptRendersTest : public QObject {
   }
 
   void waiting_renders_come_back_in_order_with_all_that_was_chosen() {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     FrameExportRequest request = tiny_request(folder / "view.exr");
     request.title = "Frame 3";
     request.request.camera = Camera{.eye = {1.0, 0.5, 5.0}};
@@ -177,7 +177,7 @@ class KeptRendersTest : public QObject {
   }
 
   void what_is_done_cancelled_or_removed_does_not_come_back() {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     {
       ListedQueue listed(folder / "renders");
       listed.queue.add(tiny_request(folder / "done.png"));
@@ -204,7 +204,7 @@ class KeptRendersTest : public QObject {
   }
 
   void damaged_files_are_told_and_can_be_removed() {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     fs::path left;
     {
       RenderQueue queue(folder / "renders");

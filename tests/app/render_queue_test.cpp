@@ -35,7 +35,7 @@ class RenderQueueTest : public QObject {
 
  private Q_SLOTS:
   void no_two_renders_that_are_to_be_done_write_the_same_file() {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     ListedQueue listed(folder / "renders");
     RenderQueue& queue = listed.queue;
     QSignalSpy refused(&queue, &RenderQueue::refused);
@@ -66,7 +66,7 @@ class RenderQueueTest : public QObject {
   }
 
   void rows_are_dragged_to_other_places_and_priorities_come_first() {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     const auto titles = [](const RenderQueue& queue) {
       QStringList all;
       for (const RenderQueue::Item& item : queue.items()) all << item.request.title;
@@ -122,7 +122,7 @@ class RenderQueueTest : public QObject {
   }
 
   void waiting_renders_change_places() {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     ListedQueue listed(folder / "renders");
     const int first = listed.queue.add(endless_request());
     const int second = listed.queue.add(tiny_request());
@@ -141,7 +141,7 @@ class RenderQueueTest : public QObject {
   }
 
   void waiting_renders_can_be_cancelled_repeated_and_removed() {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     ListedQueue listed(folder / "renders");
     const RenderQueue& queue = listed.queue;
     const int first = listed.queue.add(endless_request());
@@ -165,9 +165,9 @@ class RenderQueueTest : public QObject {
     QCOMPARE(listed.tree()->topLevelItemCount(), 2);
   }
 
-  // Else a full disk would cost all frames.
+  // A full disk would cost all frames.
   void a_resumed_sequence_ends_where_its_first_frame_fails() {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     ListedQueue listed(folder / "renders");
     FrameExportRequest request = tiny_request(folder / "f.png");
     request.range = {1, 4, 30.0};
@@ -181,7 +181,7 @@ class RenderQueueTest : public QObject {
   }
 
   void failed_and_removed_frames_are_told_and_rendered_again_and_only_these() {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     ListedQueue listed(folder / "renders");
     FrameExportRequest request = tiny_request(folder / "f.png");
     request.range = {1, 4, 30.0};

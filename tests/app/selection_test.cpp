@@ -226,7 +226,7 @@ class SelectionTest : public QObject {
   // Where the camera's target is below a floor, or the mouse points at the floor, what is pasted
   // lies on it.
   void a_paste_lands_in_view() {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     const std::filesystem::path mesh = folder / "floor.off";
     write_text(mesh, "OFF\n4 1 0\n-9 0 -9\n9 0 -9\n9 0 9\n-9 0 9\n4 3 2 1 0\n");
     Scene scene = small_scene();

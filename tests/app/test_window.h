@@ -10,6 +10,7 @@
 #include "app/jobs/job_bar.h"
 #include "app/window/main_window.h"
 #include "brume/scene.h"
+#include "tests/core/io/temporary_folder.h"
 
 namespace brume {
 
@@ -46,7 +47,7 @@ class ViewMouse {
   void click(QPoint position, Qt::KeyboardModifiers modifiers = {});
   void press(QPoint position, Qt::KeyboardModifiers modifiers = {});
   void release(QPoint position, Qt::KeyboardModifiers modifiers = {});
-  // Where a Gaussian's handle is.
+  // The position of a Gaussian's handle.
   QPoint handle(std::size_t index);
   void move(QPointF to, Qt::MouseButton button = Qt::LeftButton,
             Qt::KeyboardModifiers modifiers = Qt::NoModifier);
@@ -94,18 +95,6 @@ class TestWindow : public ViewMouse {
  private:
   QTemporaryDir folder_;
   std::unique_ptr<MainWindow> window_;
-};
-
-// A folder that lasts as long as this.
-class TestFolder {
- public:
-  operator std::filesystem::path() const { return path_; }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path operator/(const std::filesystem::path& name) const { return path_ / name; }
-
- private:
-  QTemporaryDir folder_;
-  std::filesystem::path path_{folder_.path().toStdString()};
 };
 
 void write_text(const std::filesystem::path& file, const std::string& text);

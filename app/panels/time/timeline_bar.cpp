@@ -44,8 +44,10 @@ QSpinBox* add_number(QBoxLayout& row, TimelineBar* bar, const char* name, const 
   auto* title = new PlainLabel(bar);
   title->setText(label);
   title->setToolTip(tip);
-  row.addSpacing(6);
+  constexpr int gap = 4;  // pixels
+  row.addSpacing(gap);
   row.addWidget(title);
+  row.addSpacing(gap);
   row.addWidget(box);
   return box;
 }
@@ -79,7 +81,6 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   column->setSpacing(0);
   auto* row = new QHBoxLayout;
   row->setContentsMargins(8, 2, 8, 2);
-  row->setSpacing(4);
   column->addLayout(row);
   add_playback(*row);
   add_range(*row);

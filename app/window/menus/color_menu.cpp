@@ -29,9 +29,11 @@ void choose_and_report(const ColorManagement& color, const Report& report,
 void add_view(QMenu& menu, QActionGroup& group, const QString& title, ColorManagement& color,
               const std::optional<ColorChoice>& choice, const Report& report) {
   const bool is_chosen = choice ? color.view() && color.view()->choice() == *choice : !color.view();
-  menu.addAction(add_choice(&group, title, is_chosen, [&color, choice, report] {
+  QAction* action = add_choice(&group, title, is_chosen, [&color, choice, report] {
     choose_and_report(color, report, [&] { color.choose(choice); });
-  }));
+  });
+  action->setParent(&menu);  // the search for commands finds it without the group, too
+  menu.addAction(action);
 }
 
 void add_displays(QMenu& menu, QActionGroup& group, ColorManagement& color,

@@ -54,7 +54,7 @@ void read_rest(JsonContext& context, JsonObject& object, ObjectId& id, UnknownKe
   unknown_keys.add(id, part, object.unknown_keys());
 }
 
-// Adds them.
+// Adds keys and unknown keys to an object.
 void add_rest(Json& object, ObjectId id, const UnknownKeys& unknown_keys, auto&& visit_all,
               const std::string& part = "") {
   add_keys(object, unknown_keys, unknown_keys.of(id, part.empty() ? "keys" : part + ".keys"),

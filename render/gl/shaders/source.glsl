@@ -67,7 +67,7 @@ vec3 eye_lobe(vec3 offset, vec3 w, float t) {
 // LobeBroadening: four optical depths a value, from here on; 0: none.
 uniform int source_broadening_at;
 
-// LobeLoss() of render/lighting/slice_kernels.
+// LobeLoss() of render/slices/slice_kernels.
 float lobe_loss(float cosine, float depth) {
   const float x = min(sqrt(max(0.5 - 0.5 * cosine, 0.0)) * float(broadening_angles - 1),
                       float(broadening_angles) - table_end);

@@ -142,9 +142,9 @@ EyeLobe::EyeLobe(const SourceGrid& grid, const SentLight& sent, const LobedSky& 
     : revision_(new_revision()) {
   const ViewDepths depths(grid, medium);
   const double start = start_of(grid, medium, rays);
-  const double end = sky.scattered.empty() ? start : depths.end(rays.eye(), rays.forward());
+  const double medium_end = sky.scattered.empty() ? start : depths.end(rays.eye(), rays.forward());
   const LobeColumns columns(rays, sent.ray_caster, sent.surfaces, start,
-                            static_cast<double>(grid.levels().front().nodes.spacing), end);
+                            static_cast<double>(grid.levels().front().nodes.spacing), medium_end);
   const CameraRays::FilmPlane plane = rays.plane();
   const auto along_film = [&](const glm::dvec3& per_pixel, double cells) {
     const glm::dvec3 axis = cells / glm::dot(per_pixel, per_pixel) * per_pixel;
@@ -178,18 +178,14 @@ EyeLobe::EyeLobe(const SourceGrid& grid, const SentLight& sent, const LobedSky& 
   add_places_behind(columns, sky_values(columns, {sky, sent.ray_caster, medium, depths}, job));
 }
 
-void EyeLobe::add_places_behind(const LobeColumns& columns, std::vector<glm::vec4> sky) {
+void EyeLobe::add_places_behind(const LobeColumns& columns, const std::vector<glm::vec4>& sky) {
+  std::vector<glm::vec4> passing = sky;
+  columns.pass_by_hidden(passing);
   const std::size_t count = values_.size();
   values_.resize(2 * count);
-  const auto add = [&](std::size_t first) {
-    for (std::size_t i = 0; i < count; ++i) values_[first + i] = values_[i] + sky[i];
-  };
-  const std::vector<glm::vec4> before = sky;
-  columns.pass_by_hidden(sky);
-  add(count);
-  sky = before;
-  add(0);
   for (std::size_t i = 0; i < count; ++i) {
+    values_[count + i] = values_[i] + passing[i];
+    values_[i] += sky[i];
     values_[i].w = static_cast<float>(columns.surface(i % LobeColumns::count()));
   }
 }

@@ -50,7 +50,7 @@ class EyeLobe {
  private:
   // Adds the light of the sky, which a surface's edge parts: before it is what the eye sees there,
   // behind it what passes by.
-  void add_places_behind(const LobeColumns& columns, std::vector<glm::vec4> sky);
+  void add_places_behind(const LobeColumns& columns, const std::vector<glm::vec4>& sky);
 
   Revision revision_ = 0;
   Places places_;

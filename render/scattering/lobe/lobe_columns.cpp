@@ -30,7 +30,7 @@ double median_of_finite(std::vector<double> values) {
 
 LobeColumns::LobeColumns(const CameraRays& rays, const RayCaster& ray_caster,
                          std::span<const Surface> surfaces, double start, double min_distance,
-                         double end)
+                         double medium_end)
     : eye_(rays.eye()), start_(start) {
   for (int y = 0; y < size.y; ++y) {
     for (int x = 0; x < size.x; ++x) {
@@ -59,7 +59,7 @@ LobeColumns::LobeColumns(const CameraRays& rays, const RayCaster& ray_caster,
   const auto ended = static_cast<std::size_t>(std::ranges::count_if(surfaces_, is_finite));
   // Where most rays see the sky its light counts as far as that.
   constexpr double share_of_end = 1.0 / 6.0;
-  if (2 * ended < count()) distance_ = std::max(distance_, share_of_end * (end - start));
+  if (2 * ended < count()) distance_ = std::max(distance_, share_of_end * (medium_end - start));
 }
 
 double LobeColumns::end(std::size_t column) const {

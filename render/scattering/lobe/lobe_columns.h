@@ -20,9 +20,10 @@ class LobeColumns {
   static constexpr glm::ivec3 size{24, 16, 20};
 
   // Layers begin at `start` along the rays, and are at least min_distance apart in the middle.
-  // `end`: that of the medium before a sky.
+  // `medium_end`: that before a sky.
   LobeColumns(const CameraRays& rays, const RayCaster& ray_caster,
-              std::span<const Surface> surfaces, double start, double min_distance, double end);
+              std::span<const Surface> surfaces, double start, double min_distance,
+              double medium_end);
 
   static constexpr std::size_t count() { return static_cast<std::size_t>(size.x * size.y); }
   [[nodiscard]] const glm::dvec3& eye() const { return eye_; }
@@ -63,7 +64,7 @@ class LobeColumns {
   // Calls visit(column) for all columns beside a place that are seen on its layer.
   template <class Visit>
   void each_seen_beside(const Place& place, const std::vector<bool>& is_hidden, Visit visit) const;
-  // Whether the surface that ends a column goes on below the place of a layer of a neighbour.
+  // Tells whether the surface that ends a column goes on below the place of a layer of a neighbour.
   [[nodiscard]] bool goes_on(std::size_t column, std::size_t neighbour, int layer) const;
   [[nodiscard]] std::vector<bool> hidden_on(int layer) const;
   [[nodiscard]] glm::vec4 continued(std::span<const glm::vec4> values, const Place& place,

@@ -1,7 +1,6 @@
 #include "render/scattering/lobe/sky_lobe.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <glm/common.hpp>

@@ -3,7 +3,6 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "core/scene/lights/radiance_map.h"
