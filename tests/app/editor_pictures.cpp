@@ -251,6 +251,7 @@ class Pictures : public DrivenWindow {
     }
     until([&queue] { return queue.items().front().state == RenderQueue::State::done; });
     until([&queue] { return queue.items().back().rendered > 0; });
+    dock->raise();
     tabs->setCurrentIndex(2);
     QTest::qWait(300);
     take("panel_queue", area(dock));
